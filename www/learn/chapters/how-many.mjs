@@ -61,8 +61,8 @@ export const howMany = {
       figure: 'hole',
       heading: { en: 'Does the rule see the hole?', ja: '規則は穴に気づくでしょうか' },
       text: {
-        en: 'The papers’ rule: a cell comes beside another that is far from its nearest neighbour. One cell is missing among cells at rest. Does the rule bring one?',
-        ja: '論文の規則は「最も近い隣まで遠いセルのそばに、一つ増やす」です。静止したセルの中に、一つ欠けたところがあります。この規則で一つ増えるでしょうか。',
+        en: 'Every ten steps the program looks at all cells, and some come or go. The papers’ rule: a cell comes beside another that is far from its nearest neighbour. One cell is missing among cells at rest. Does the rule bring one?',
+        ja: 'プログラムは10ステップごとにすべてのセルを調査し、増やしたり減らしたりします。論文の規則は「最も近い隣までが遠いセルのそばに、一つ増やす」です。静止したセルの中に、一つ欠けたところがあります。この規則で一つ増えるでしょうか。',
       },
       answers: [
         { value: 'a', text: { en: 'Yes, one comes', ja: 'はい、一つ増える' } },
@@ -79,8 +79,8 @@ export const howMany = {
       figure: 'never',
       heading: { en: 'Break it', ja: '壊してみる' },
       text: {
-        en: 'Two [[threshold|thresholds]] decide who goes and who comes. Let them cross: go below 0.95, come from 0.85 on. What will happen?',
-        ja: '二つの[[threshold|しきい値]]が増減を決めます。これを逆転させ、0.95より近ければ去り、0.85から増えるようにします。どうなるでしょう。',
+        en: 'Two [[threshold|thresholds]] decide. A cell goes if its nearest neighbour is nearer than $a$; another comes beside it if that neighbour is at $b$ or farther. Let them cross: $a = 0.95$ and $b = 0.85$. What will happen?',
+        ja: '二つの[[threshold|しきい値]]が増減を決めます。最も近い隣が$a$より近いセルは去り、$b$以上離れているセルのそばには一つ増えます。これを逆転させて、$a = 0.95$、$b = 0.85$とします。どうなるでしょう。',
       },
       answers: [
         { value: 'a', text: { en: 'It rests after the first look', ja: '一度の調査で落ち着く' } },
@@ -97,8 +97,8 @@ export const howMany = {
       heading: { en: 'Why', ja: 'なぜ' },
       parts: [
         {
-          en: 'At the start nobody can know the [[population]]. The papers begin with a good guess, by a [[quadtree]], and correct it on the way. Every ten steps, up to step 100, each cell $i$ is looked at. It goes if its nearest neighbour is too near:',
-          ja: '初めから[[population|個数]]は分かりません。論文は[[quadtree|四分木]]で見当をつけ、計算の途中で直します。100ステップまで、10ステップごとに各セル$i$を調べます。最も近い隣が近すぎれば、去ります。',
+          en: 'At the start nobody can know the [[population]]. The papers begin with a good guess, by a [[quadtree]], and correct it on the way. Our program looks at each cell $i$ every ten steps, up to step 100. A cell goes if its nearest neighbour is too near:',
+          ja: '[[population|個数]]は、初めには分かりません。論文は[[quadtree|四分木]]で見当をつけ、計算の途中で直します。本プログラムは、100ステップまで10ステップごとに各セル$i$を調べます。最も近い隣が近すぎるセルは去ります。',
         },
         {
           equation: 'a',
@@ -135,7 +135,7 @@ export const howMany = {
         en: 'Far from all walls it would nearly do: a square takes $d²$, a round cell in a honeycomb 0.87 of it. But cells come whole. An arm of the outline that is a little too narrow for two rows holds one, and the rest of its area holds nothing. With smaller cells it suddenly holds two. Area knows nothing of that.',
         ja: '壁から遠ければ、だいたい合います。正方形一つの面積は$d²$、蜂の巣状に並んだ円ではその0.87倍です。けれども、セルは丸ごとしか置けません。二列には少し狭い腕には一列しか入らず、残りの面積は使えません。セルを小さくすると、急に二列入ります。面積だけでは、それは分かりません。',
       },
-      ask: { en: 'A U and a square have the same area. With size 34 the U holds 13 cells and the square 19. With size 28 the U holds …', ja: 'U字形と正方形の面積は同じです。大きさ34では、U字形に13個、正方形に19個入ります。28にすると、U字形に入るのは正方形と比べて…' },
+      ask: { en: 'A U and a square have the same area. With cells of 34 pixels the U holds 13 and the square 19. With cells of 28 pixels the U holds …', ja: 'U字形と正方形の面積は同じです。セルの大きさが34ピクセルなら、U字形に13個、正方形に19個入ります。28ピクセルにすると、U字形に入るのは正方形と比べて…' },
       answers: [
         { value: 'a', text: { en: 'just as many as the square', ja: '同じ数' } },
         { value: 'b', text: { en: 'more than the square', ja: '正方形より多い' }, right: true },

@@ -45,8 +45,8 @@ export const manyBubblesGuide = {
   ],
   questions: [
     {
-      question: { en: 'Three in a row: what does the third do to the first?', ja: '一列の三つ。三番目は一番目に何をするか' },
-      right: { en: 'b. Nothing: they are at w = 2, and the force ends at 1.5.', ja: 'b。何もしない。w = 2で、力は1.5で終わる。' },
+      question: { en: 'Three in a row: what does the third do to the first?', ja: '一列の三つ。三番目は一番目にどんな力を及ぼすか' },
+      right: { en: 'b. Nothing: they are at w = 2, and the force ends at 1.5.', ja: 'b。力を及ぼさない。距離はw = 2で、力は1.5までしか届かない。' },
       thoughts: [
         [{ en: 'a, a weaker pull:', ja: 'a（弱く引く）：' }, { en: 'thinks of gravity, which never ends.', ja: '重力のように、力はどこまでも届くと考えている。' }],
         [{ en: 'c, a push through the second:', ja: 'c（二番目を通して押す）：' }, { en: 'thinks of wagons in a row, which hand a push on.', ja: '列車の連結のように、押す力が伝わると考えている。' }],

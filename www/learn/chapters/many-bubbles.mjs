@@ -18,10 +18,10 @@ export const manyBubbles = {
       kind: 'question',
       key: 'earlier2',
       figure: 'crowd',
-      heading: { en: 'Does it feel the next but one?', ja: '一つ先のバブルの力は届くでしょうか' },
+      heading: { en: 'Does it feel the next but one?', ja: '隣の隣まで力は届くでしょうか' },
       text: {
         en: 'Three bubbles stand in a row and touch: from the first to the third it is $w = 2$. What does the third do to the first?',
-        ja: '三つのバブルが一列に触れ合っています。一番目と三番目の距離は$w = 2$です。三番目は一番目に何をするでしょう。',
+        ja: '三つのバブルが一列に並んで触れ合っています。一番目と三番目の距離は$w = 2$です。三番目は一番目にどんな力を及ぼすでしょう。',
       },
       caption: {
         en: 'A crowd at its start. Each bubble sums the pushes and pulls of its [[neighbour|neighbours]] to one arrow, its [[net-force|net force]]. A [[wall]] acts by the same curve.',
@@ -38,11 +38,11 @@ export const manyBubbles = {
         },
         {
           value: 'b',
-          text: { en: 'Nothing', ja: '何もしない' },
+          text: { en: 'Nothing', ja: '力を及ぼさない' },
           right: true,
           reply: {
             en: 'Yes: from 1.5 on the force is 0. In a honeycomb the next but one is at 1.73, so a bubble feels only the six around it.',
-            ja: 'そのとおり。1.5から先では力は0です。蜂の巣の並びでも一つ先は1.73にあるので、まわりの六つの力しか受けません。',
+            ja: 'そのとおり。1.5から先では力は0です。蜂の巣のように並んでも、隣の隣までは1.73あるので、まわりの六つの力しか受けません。',
           },
         },
         {
@@ -61,8 +61,8 @@ export const manyBubbles = {
       figure: 'two-starts',
       heading: { en: 'Will both end alike?', ja: '同じところに落ち着くでしょうか' },
       text: {
-        en: 'The same outline, the same forces, as many bubbles: only the [[first-places|first places]] differ. Let both run until they rest. What will you see?',
-        ja: '輪郭も力も数も同じで、[[first-places|初期位置]]だけが違います。両方を静止するまで動かすと、どうなるでしょう。',
+        en: 'The same outline, forces and number of bubbles: only the [[first-places|first places]] differ. Let both run until they rest, and compare their pictures and their [[energy]], the sum of all potentials. What will you see?',
+        ja: '輪郭も力も個数も同じで、[[first-places|初期位置]]だけが違います。両方を静止するまで動かし、絵と[[energy|エネルギー]]（ポテンシャルの合計）を比べると、どうなるでしょう。',
       },
       answers: [
         { value: 'a', text: { en: 'The same picture twice', ja: '同じ絵が二つ' } },
@@ -70,8 +70,8 @@ export const manyBubbles = {
         { value: 'c', text: { en: 'Two pictures, two energies', ja: '絵もエネルギーも違う' }, right: true },
       ],
       caption: {
-        en: 'Two crowds with other first places in one outline, side by side, and their [[energy]] step by step.',
-        ja: '同じ輪郭の中で、初期位置だけが違う二つの群れと、ステップごとの[[energy|エネルギー]]。',
+        en: 'Two crowds with other first places in one outline, side by side, and their energy step by step.',
+        ja: '同じ輪郭の中で、初期位置だけが違う二つの群れと、ステップごとのエネルギー。',
       },
     },
     {
@@ -99,7 +99,7 @@ export const manyBubbles = {
       parts: [
         {
           en: 'Nothing is new in the force. Bubble $i$ takes that of chapter 1 from each neighbour, along the line from its centre, and adds:',
-          ja: '力に新しいことはありません。バブル$i$は、第1章の力を隣のそれぞれから、中心を結ぶ線に沿って受け、足し合わせます。',
+          ja: '力そのものは第1章と同じです。バブル$i$は、隣のそれぞれから中心を結ぶ線に沿って力を受け、それを足し合わせます。',
         },
         {
           equation: 'a',
@@ -138,7 +138,7 @@ export const manyBubbles = {
           },
         },
         {
-          en: 'Squares are never negative: $E$ can only fall. A part of it may rise. A moving bubble runs a little way up the next slope, as a swing does, and turns motion into energy of pairs. An energy that only falls, on a ground with a floor, comes to an end: as good as always in a valley, called a [[local-minimum|local minimum]].',
+          en: 'Squares are never negative: $E$ can only fall. A part of it may rise. A moving bubble runs a little way up the next slope, as a swing does, and turns motion into energy of pairs. An energy that only falls, on a ground with a floor, comes to an end: nearly always in a valley, called a [[local-minimum|local minimum]].',
           ja: '2乗は負にならないので、$E$は減るばかりです。ただし、その一部は増えることがあります。動いているバブルは、ブランコのように次の坂を少し駆け上がり、運動を対のエネルギーに変えます。底のあるところで減りつづければ、いつか終わります。行き着く先はまず例外なく谷で、これを[[local-minimum|極小解]]といいます。',
         },
       ],

@@ -53,12 +53,12 @@ export const meshGuide = {
       ],
     },
     {
-      question: { en: 'Where are the three middles after 20 rounds, and at rest?', ja: 'ロイド法20回と静止のあと、三つの中央値はどこか' },
-      right: { en: 'Random about 32°, Lloyd about 48°, packed about 56°.', ja: 'ランダムは約32°、ロイド法は約48°、充填は約56°。' },
+      question: { en: 'Random points stay. Where are the two other middles after 20 rounds, and at rest?', ja: 'ランダムな点は動かない。ロイド法20回の後と静止の後、ほかの二つの中央値はどこか' },
+      right: { en: 'Lloyd about 48°, packed about 56°. Random stays at about 32°.', ja: 'ロイド法は約48°、充填は約56°。ランダムは約32°のまま。' },
       thoughts: [
-        [{ en: 'All three alike:', ja: '三つとも同じ：' }, { en: 'thinks that the rule of joining makes the triangles.', ja: '結び方の規則が三角形を決めると考えている。' }],
+        [{ en: 'Both near 32°:', ja: 'どちらも32°付近：' }, { en: 'thinks that the rule of joining makes the triangles.', ja: '結び方の規則が三角形を決めると考えている。' }],
         [{ en: 'Packed at 60°:', ja: '充填が60°：' }, { en: 'has the honeycomb in mind; walls and places between grains spoil some triangles.', ja: '蜂の巣を思い浮かべている。壁や、並びの境目では三角形がくずれる。' }],
-        [{ en: 'Random near 45°:', ja: 'ランダムが45°付近：' }, { en: 'takes the mean of all angles, which is 60° for any triangle, and not of the smallest.', ja: '最小角ではなく、すべての角の平均（どの三角形でも60°）を考えている。' }],
+        [{ en: 'Lloyd above the bubbles:', ja: 'ロイド法がバブルより上：' }, { en: 'takes the order that is seen at first, 46° and 44°, for the one at the end.', ja: '初めに見える順序（46°と44°）が、最後まで続くと考えている。' }],
       ],
     },
     {

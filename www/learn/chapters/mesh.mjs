@@ -7,7 +7,7 @@ export const mesh = {
   title: { en: 'From bubbles to a mesh', ja: 'バブルからメッシュへ' },
   idea: {
     en: 'To join points is easy; to have good points is the work.',
-    ja: '点を結ぶのは簡単です。良い点を置くのが仕事です。',
+    ja: '点を結ぶのは簡単です。難しいのは、良い場所に点を置くことです。',
   },
   description: {
     en: 'How bubbles become a mesh: Delaunay’s empty circles, the smallest angles of random, evened out and packed points, and cells as the dual.',
@@ -60,8 +60,8 @@ export const mesh = {
       figure: 'three',
       heading: { en: 'Three ways to place points', ja: '点の三通りの置き方' },
       text: {
-        en: 'Three times one outline and one number of points, joined by one rule. The first points are thrown at random. The second are evened out by [[lloyd|Lloyd’s rounds]]: in each, every point moves to the centre of its [[voronoi|Voronoi cell]]. The third are bubbles.',
-        ja: '同じ輪郭に、同じ数の点を置き、同じ規則で結びます。一つ目はランダムに置いたまま。二つ目は[[lloyd|ロイド法]]でならしたもので、一回ごとに、どの点も自分の[[voronoi|ボロノイ領域]]の中心へ動きます。三つ目はバブルです。',
+        en: 'The same outline and the same number of points three times, joined by the same rule. The first are thrown at random. The second are evened out by [[lloyd|Lloyd’s rounds]]: in each, every point moves to the centre of its [[voronoi|Voronoi cell]], all places that are nearer to it than to any other. The third are bubbles.',
+        ja: '同じ輪郭に、同じ数の点を置き、同じ規則で結びます。一つ目はランダムに置いたまま。二つ目は[[lloyd|ロイド法]]でならしたもので、一回ごとに、どの点も自分の[[voronoi|ボロノイ領域]]（ほかのどの点より自分に近い範囲）の重心へ動きます。三つ目はバブルです。',
       },
       caption: {
         en: 'Seventy-two points three times: at random, after four rounds, after five steps of packing. Below, the triangles are counted by their [[smallest-angle|smallest angle]], with the [[median|middle]] as a line: half of them lie below it.',
@@ -73,10 +73,10 @@ export const mesh = {
       key: 'middles',
       figure: 'three',
       text: {
-        en: 'Mark where the three middles will be after 20 rounds, and when the bubbles rest. Then raise the rounds, and press play.',
-        ja: 'ロイド法を20回くり返し、バブルが静止したとき、三つの中央値はどこにあるでしょう。印を付けてから、回数を上げ、再生してください。',
+        en: 'The random points stay as they are. Mark where the two other middles will be after 20 rounds, and when the bubbles rest. Then raise the rounds, and press play.',
+        ja: 'ランダムな点は動きません。ほかの二つの中央値は、ロイド法を20回くり返した後と、バブルが静止した後に、それぞれどこにあるでしょう。印を付けてから、回数を上げ、再生してください。',
       },
-      blanks: [{ en: 'random, in degrees:', ja: 'ランダム（度）：' }, { en: 'Lloyd:', ja: 'ロイド法：' }, { en: 'bubbles:', ja: 'バブル：' }],
+      blanks: [{ en: 'Lloyd, in degrees:', ja: 'ロイド法（度）：' }, { en: 'bubbles:', ja: 'バブル：' }],
     },
     {
       kind: 'prediction',
@@ -121,7 +121,7 @@ export const mesh = {
         },
         {
           en: 'Read it with bubbles. $s$ says how near two of them are: the push keeps it large. The circle is empty, so $R$ is the size of a hole: where there is room, a bubble comes. If no such circle has a radius larger than the shortest side, no angle is below 30°. In a honeycomb the radius is 0.58 of the side, and every angle 60°. Random points have close pairs and wide holes, and so thin triangles.',
-          ja: 'バブルの言葉で読んでみます。$s$は二つのバブルの間隔で、縮みすぎるのを斥力が防ぎます。円の中は空なので、$R$は穴の大きさです。空きがあれば、バブルが増えます。どの円の半径も最も短い辺を超えなければ、30°より小さい角はできません。蜂の巣の並びでは半径は辺の0.58倍で、角はすべて60°です。ランダムな点には、近すぎる対も大きな穴もあるので、細い三角形ができます。',
+          ja: 'この式を、バブルに当てはめてみます。$s$は二つのバブルの間隔で、縮みすぎるのを斥力が防ぎます。円の中は空なので、$R$は穴の大きさです。空きがあれば、バブルが増えます。どの円の半径も最も短い辺を超えなければ、30°より小さい角はできません。蜂の巣の並びでは半径は辺の0.58倍で、角はすべて60°です。ランダムな点には、近すぎる対も大きな穴もあるので、細い三角形ができます。',
         },
         {
           en: 'Then comes the dual. A bubble with six edges gets a cell with six sides. In a large mesh of triangles the mean is about six, even for random points; good points have six nearly everywhere.',

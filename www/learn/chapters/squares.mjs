@@ -7,7 +7,7 @@ export const squares = {
   title: { en: 'Why squares line up', ja: '正方形はなぜ並ぶのか' },
   idea: {
     en: 'Four small bubbles on the corners turn a ring of rest into four wells.',
-    ja: '四隅の小さなバブルが、静止の輪を四つの井戸に変えます。',
+    ja: 'どこでも静止できた輪が、四隅の小さなバブルで四つの井戸に変わります。',
   },
   description: {
     en: 'Why square cells stand in rows and columns: the potential of a square, with four small bubbles on its corners, by hand.',
@@ -148,7 +148,7 @@ export const squares = {
       heading: { en: 'Your turn', ja: '練習' },
       text: {
         en: 'One thing is left to do here: find a place, at least half a side away, from which the square slides into the well on the left.',
-        ja: '残る仕事は一つです。左の井戸から半辺以上離れていて、そこへ滑り込む場所を見つけ、正方形を置いてください。',
+        ja: '左の井戸に滑り込むような場所を、井戸から辺の半分以上離れたところに見つけ、正方形を置いてください。',
       },
       caption: { en: 'A square that slid to the nearest well. Where must it start to end on the left?', ja: '最も近い井戸に滑り込んだ正方形。左に行き着くのは、どこから始めたときでしょう。' },
     },
@@ -157,8 +157,8 @@ export const squares = {
       heading: { en: 'Ours and theirs', ja: '論文と本プログラム' },
       lines: [
         {
-          en: 'In equation (4) a corner pushes with the k0 / l0 of the pair. Its own stable distance is shorter, so its potential is 1/√2 of the one in the centre. For two sizes, which the paper leaves open, ours takes the mean of both landscapes.',
-          ja: '式(4)の四隅は、対のk0 / l0の強さで押します。隅の安定距離は短いので、そのポテンシャルは中央の1/√2倍です。論文が定めていない、大きさの違う対では、二つの地形の平均をとります。',
+          en: 'In equation (4) a corner pushes with the $k0 / l0$ of the pair. Its own stable distance is shorter, so its potential is 1/√2 of the one in the centre. For two sizes, which the paper leaves open, ours takes the mean of both landscapes.',
+          ja: '式(4)の四隅は、対と同じ$k0 / l0$の強さで押します。隅の安定距離は短いので、そのポテンシャルは中央の1/√2倍です。論文が定めていない、大きさの違う対では、二つの地形の平均をとります。',
         },
         {
           en: 'Where the field has no direction, only the central potential acts, as the paper of 2001 says.',

@@ -65,12 +65,12 @@ export const twoBubbles = {
       figure: 'pair',
       heading: { en: 'The pair', ja: 'バブルの対' },
       text: {
-        en: 'A bubble is a point with a [[force]] around it. Its circle shows the room it wants. Move one bubble, and watch the arrows.',
-        ja: 'バブルは、まわりに[[force|力]]を及ぼす点です。円は、そのバブルの求める広さを表します。片方を動かして、矢印を見てください。',
+        en: 'A bubble is a point with a [[force]] around it. Its circle shows the room it wants. The distance $w$ of two bubbles is counted so that their circles touch at $w = 1$. Move one bubble, and watch the arrows.',
+        ja: 'バブルは、まわりに[[force|力]]を及ぼす点です。円は、そのバブルの求める広さを表します。二つの間の距離$w$は、円が触れ合うところを1として測ります。片方を動かして、矢印を見てください。',
       },
       caption: {
-        en: 'Two bubbles and the force on each; below them the force over the distance $w$, then the [[potential]]. The dot is this pair.',
-        ja: '二つのバブルと、それぞれに働く力。下は距離$w$に対する力、次は[[potential|ポテンシャル]]。丸い印がこの対の位置です。',
+        en: 'Two bubbles and the force on each; below them the force over the distance $w$, then the [[potential]], an energy. The dot is this pair. Forces are in units of $k0 / l0$, energies in $k0$, as explained below.',
+        ja: '二つのバブルと、それぞれに働く力。下は距離$w$に対する力、次は[[potential|ポテンシャル]]（エネルギー）。丸い印がこの対の位置です。力の単位は$k0 / l0$、エネルギーの単位は$k0$で、意味は後の本文で説明します。',
       },
     },
     {
@@ -79,8 +79,8 @@ export const twoBubbles = {
       figure: 'let-go',
       heading: { en: 'What will it do?', ja: 'どうなるでしょう' },
       text: {
-        en: 'One bubble is held. The other is pulled to $w = 1.6$ and let go; at $w = 1$ the circles touch.',
-        ja: '片方のバブルを留め、もう片方を$w = 1.6$まで引いて、放します（$w = 1$で円が触れ合います）。',
+        en: 'One bubble is held. The other is pulled to $w = 1.6$ and let go.',
+        ja: '片方のバブルを留め、もう片方を$w = 1.6$まで引いてから放します。',
       },
       answers: [
         { value: 'a', text: { en: 'It drifts off', ja: '離れていく' } },
@@ -97,8 +97,8 @@ export const twoBubbles = {
       key: 'near',
       figure: 'let-go',
       text: {
-        en: 'Now without [[damping]]: how near may they start and not part for good? Mark it on the curve. Then try.',
-        ja: '次は[[damping|減衰]]なしです。どこまで近くから放しても、離れてしまわないでしょうか。曲線に印を付けてから、試してください。',
+        en: 'Now without [[damping]], the drag that slows them: how near may they start and not part for good? Mark it on the curve. Then try.',
+        ja: '次は[[damping|減衰]]（動きを弱める抵抗）をなくします。どこまで近づけて放しても、離れていかずにすむでしょうか。曲線に印を付けてから、試してください。',
       },
       blanks: [{ en: '$w =$', ja: '$w =$' }],
     },
@@ -136,7 +136,7 @@ export const twoBubbles = {
         },
         {
           en: 'It is a valley with its floor at $w = 1$, only 0.048 $k0$ deep, and a plain beyond 1.5. At $w = 0.718$ the wall is as high as the plain. Without damping no energy is lost: what starts higher than the plain leaves the valley for good.',
-          ja: '底は$w = 1$にあり、深さはわずか0.048 $k0$の谷で、1.5から先は平地です。壁の高さは$w = 0.718$で平地と同じになります。減衰がなければエネルギーは失われません。平地より高いところから出発すると、谷を出て戻りません。',
+          ja: 'これは谷です。底は$w = 1$にあり、深さはわずか0.048 $k0$。1.5から先は平地で、$w = 0.718$では壁が平地と同じ高さになります。減衰がなければエネルギーは失われません。平地より高いところから出発すると、谷を出て戻りません。',
         },
         {
           en: 'Force moves the bubble by the [[equation-of-motion|equation of motion]], with a [[mass]] $m$ and the damping $c$, which takes energy away until all is at rest:',
@@ -159,7 +159,7 @@ export const twoBubbles = {
       heading: { en: 'Not so: “a spring, the farther the stronger”', ja: '「遠いほど強いばね」ではありません' },
       text: {
         en: 'A spring would pull harder the farther it is drawn. This pull is strongest at $w = 19/15$: 0.145, an eighth of the strongest push. Then it fades, so a bubble never tugs at those behind its neighbours. Nor does every run come to rest. A computer walks in [[time-step|steps of time]]; [[euler|explicit Euler]] trusts the force at the start of a step for all of it. Make the step longer, and break it.',
-        ja: 'ばねなら、引くほど強く引き返します。この引力が最も強いのは$w = 19/15$で、その大きさ0.145は最も強い斥力のおよそ8分の1です。その先では弱まるので、隣の向こうにいるバブルまで引くことはありません。また、この力があれば必ず落ち着くわけでもありません。計算は[[time-step|時間刻み]]ごとに進み、[[euler|陽的オイラー法]]は刻みの初めの力を刻みの終わりまで使います。刻みを大きくして、壊してみてください。',
+        ja: 'ばねなら、伸ばすほど強く引きます。けれども、この引力が最も強いのは$w = 19/15$で、その大きさ0.145は最も強い斥力のおよそ8分の1です。その先では弱まるので、隣の向こうにいるバブルまで引くことはありません。また、この力があれば必ず落ち着くわけでもありません。計算は[[time-step|時間刻み]]ごとに進み、[[euler|陽的オイラー法]]は刻みの初めの力を刻みの終わりまで使います。刻みを大きくして、壊してみてください。',
       },
       ask: { en: 'What will explicit Euler do with a step of 1.0?', ja: '刻みを1.0にすると、陽的オイラー法はどうなるでしょう。' },
       answers: [

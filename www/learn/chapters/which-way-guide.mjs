@@ -25,7 +25,7 @@ export const whichWayGuide = {
         ['0–8', { en: 'Free play with the square and the road.', ja: '正方形と道の図で自由に遊ぶ。' }],
         ['8–12', { en: 'Where are the wells now?', ja: '井戸はどこか。' }],
         ['12–24', { en: 'In the middle of the road: predict, argue, try.', ja: '道の真ん中。予想、討論、実験。' }],
-        ['24–32', { en: 'Ten pieces.', ja: '十に切る。' }],
+        ['24–32', { en: 'Ten pieces.', ja: '辺を十等分する。' }],
         ['32–44', { en: 'Equation (1), and the four-fold sum, term by term for a road.', ja: '式(1)と四倍角の和を、道の辺ごとに。' }],
         ['44–54', { en: 'Halfway between 10° and 80°.', ja: '10°と80°の中間。' }],
         ['54–60', { en: 'Once around, as a show. The exercise is homework.', ja: '「ぐるりと一周」を見せる。練習は宿題。' }],
@@ -35,7 +35,7 @@ export const whichWayGuide = {
       minutes: 180,
       steps: [
         ['0–25', { en: 'Paper squares and paper arrows on pins: turn them, and note which turns can be seen. Then free play.', ja: '紙の正方形と矢印をピンで留めて回し、見分けられる回転を書き出す。それから自由に遊ぶ。' }],
-        ['25–60', { en: 'Where are the wells, the middle of the road, ten pieces, with the sheet.', ja: '井戸の場所、道の真ん中、十に切る、をプリントで。' }],
+        ['25–60', { en: 'Where are the wells, the middle of the road, ten pieces, with the sheet.', ja: '井戸の場所、道の真ん中、十等分、をプリントで。' }],
         ['60–95', { en: 'Equation (1) by hand: a road of 5 by 1, its middle, then with one side cut into ten.', ja: '式(1)を手で計算する。5×1の道の真ん中、次に一辺を十等分した場合。' }],
         ['95–130', { en: 'Once around: walk round the classroom along its walls with a paper cross. Count. Then equation (b) and the figure: an oval pulls four singular points apart, and the count stays.', ja: '紙の十字を持って教室の壁沿いに一周し、数える。次に式(b)と図。楕円にすると特異点は四つに分かれるが、数は変わらない。' }],
         ['130–155', { en: 'Halfway between 10° and 80°; which pairs have no halfway?', ja: '10°と80°の中間。中間の決まらない組はどれか。' }],

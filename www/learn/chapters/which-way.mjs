@@ -68,7 +68,7 @@ export const whichWay = {
       answers: [
         { value: 'a', text: { en: 'along the road', ja: '道に沿う' } },
         { value: 'b', text: { en: 'across the road', ja: '道を横切る' } },
-        { value: 'c', text: { en: 'nowhere', ja: 'どちらも向かない' }, right: true },
+        { value: 'c', text: { en: 'nowhere', ja: 'どこも向かない（和が0になる）' }, right: true },
       ],
       caption: {
         en: 'A road, five times as long as wide, and a point near one side: the arrow of each [[segment]], their sum as printed, and the four-fold sum. Move the point to the middle.',
@@ -79,10 +79,10 @@ export const whichWay = {
       kind: 'prediction',
       key: 'pieces',
       figure: 'pieces',
-      heading: { en: 'Ten pieces', ja: '十に切る' },
+      heading: { en: 'Ten pieces', ja: '十等分すると' },
       text: {
         en: 'One side is cut into ten equal pieces, and the road keeps its shape. Which sum changes in the middle?',
-        ja: '一つの辺を十等分します。道の形は変わりません。真ん中で変わるのは、どちらの和でしょう。',
+        ja: '一つの辺を十本に分けます。道の形は変わりません。真ん中で変わるのは、どちらの和でしょう。',
       },
       answers: [
         { value: 'a', text: { en: 'Neither: the shape is the same', ja: '形が同じなので、どちらも変わらない' } },

@@ -19,7 +19,7 @@ const counted = { kind: 'number', unit: { en: '', ja: '' }, symbol: '', stride: 
 
 const ROUNDS: NumberHandle = { ...counted, key: 'rounds', name: { en: 'Lloyd’s rounds', ja: 'ロイド法の回数' }, from: 0, to: 50 };
 const SEED: NumberHandle = { ...counted, key: 'seed', name: { en: 'Other points', ja: '別の点' }, from: 1, to: 99 };
-const SIZE: NumberHandle = { ...counted, key: 'cs', name: { en: 'Cell size', ja: 'セルの大きさ' }, unit: { en: 'pixels', ja: '画素' }, stride: 2, fine: 1, from: 32, to: 64 };
+const SIZE: NumberHandle = { ...counted, key: 'cs', name: { en: 'Cell size', ja: 'セルの大きさ' }, unit: { en: 'pixels', ja: 'ピクセル' }, stride: 2, fine: 1, from: 32, to: 64 };
 
 /** The reader's marks, with the rows that they stand in. */
 const ROWS: readonly AngleRow[] = [

@@ -208,7 +208,7 @@ function heights({ traces: [trace] }: Seen, language: Language): string {
   const { well, pass } = trace?.landscape ?? {};
   if (!well || !pass) return '';
   const [low, high] = [number(well.energy, 4), number(pass.energy, 4)];
-  return inWords(language, `+ well ${low}, × pass ${high}`, `＋井戸 ${low}、×峠 ${high}`);
+  return inWords(language, `+ well ${low}, × pass ${high} k₀`, `＋井戸 ${low}、×峠 ${high} k₀`);
 }
 
 function barrier({ traces: [trace] }: Seen, language: Language): string {
