@@ -78,7 +78,7 @@ export const meshGuide = {
     },
   ],
   wrong: [
-    { en: 'A point is dragged over the rim, and edges change without a flip: at the rim they come and go when three points lie in a line. Stay inside.', ja: '点を縁の外へ動かすと、入れ替わりでなく辺が増減する。縁では三点が一直線に並ぶときに変わる。内側で動かす。' },
+    { en: 'A point is dragged across the rim, and edges change without a flip: at the rim they come and go when three points lie in a line. Stay inside.', ja: '点を縁の外へ動かすと、入れ替わりでなく辺が増減する。縁では三点が一直線に並ぶときに変わる。内側で動かす。' },
     { en: 'Points are dragged too fast, and the moment is missed. Use the keys, with Shift for small strides.', ja: '速く動かしすぎて、その瞬間を見逃す。キーを使い、Shiftで細かく動かす。' },
     { en: 'The packing is judged by its worst triangle. With a fixed number a hole or a close pair may stay; chapter 6 mends that.', ja: '充填を最も悪い三角形で判断する。数を固定すると、穴や近すぎる対が残ることがある。第6章で直す。' },
     { en: 'Lloyd is thought to be wrong. It makes good triangles, too, in many small rounds; but no rows along a road.', ja: 'ロイド法が誤りだと思う。回数を重ねれば良い三角形になる。ただし、道に沿う列はできない。' },

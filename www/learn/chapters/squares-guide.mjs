@@ -26,7 +26,7 @@ export const squaresGuide = {
         ['0–6', { en: 'Nine squares, twice. Where may a neighbour rest?', ja: '九つの正方形。隣はどこで静止できるか。' }],
         ['6–16', { en: 'Free play with the landscape. Draw its contours from memory.', ja: '地形の図で自由に遊び、等値曲線を思い出して描く。' }],
         ['16–30', { en: 'From which weight on? Predict, argue, try.', ja: 'どれだけの重みから。予想、討論、実験。' }],
-        ['30–42', { en: 'Equation (4), and √2 r0 with ruler and set square.', ja: '式(4)。√2 r0を定規で確かめる。' }],
+        ['30–42', { en: 'Equation (4), and $root2 r0$ with ruler and set square.', ja: '式(4)。$root2 r0$を定規で測って確かめる。' }],
         ['42–54', { en: 'Corners do not bump: change the weight, then the radius.', ja: '角はぶつからない。重み、次に半径を変える。' }],
         ['54–60', { en: 'Sixty squares. The exercise is homework.', ja: '六十個の正方形。練習は宿題。' }],
       ],
@@ -54,7 +54,7 @@ export const squaresGuide = {
     },
     {
       question: { en: 'From which corner weight on are there four wells?', ja: '隅の重みがいくつから、井戸は四つになるか' },
-      right: { en: 'c. From any weight above 0: with 0.05 the barrier is 0.009 k0.', ja: 'c。0より大きければいくつでも。0.05で障壁は0.009 k0。' },
+      right: { en: 'c. From any weight above 0: with 0.05 the barrier is 0.009 $k0$.', ja: 'c。0より大きければいくつでも。0.05で障壁は0.009 $k0$。' },
       thoughts: [
         [{ en: 'a, from 0.41 on:', ja: 'a（0.41から）：' }, { en: 'takes the number of the paper for a threshold: such a number must mean a change.', ja: '論文の値を境目と考えている。特別な数には特別な変化があるはずだとみている。' }],
         [{ en: 'b, from 0.2 on:', ja: 'b（0.2から）：' }, { en: 'thinks that a little is lost, as with friction: something must be overcome first.', ja: '摩擦のように、少しだけでは効かないと考えている。' }],

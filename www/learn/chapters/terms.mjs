@@ -17,7 +17,7 @@ const all = [
   {
     key: 'potential', symbol: 'psi', chapter: 'two-bubbles',
     name: { en: 'potential', ja: 'ポテンシャル' },
-    text: { en: 'The energy of a pair at a distance: the work that the force has still to give. Its slope is the force with the other sign.', ja: 'ある距離にある対のエネルギー。力がこれからなしうる仕事。傾きの符号を変えたものが力になる。' },
+    text: { en: 'The energy of a pair at a distance: the work that the force does while the two move apart to where it ends. Its slope is the force with the other sign.', ja: 'ある距離にある対のエネルギー。力の届かない距離まで離れる間に、力がする仕事に等しい。傾きの符号を変えたものが力になる。' },
   },
   {
     key: 'damping', symbol: 'c', chapter: 'two-bubbles',
@@ -123,7 +123,7 @@ const all = [
   {
     key: 'alignment', chapter: 'squares',
     name: { en: 'line up (alignment)', ja: '整列' },
-    text: { en: 'To stand in rows and columns, side by side.', ja: '縦横に、格子状に並ぶこと。' },
+    text: { en: 'To stand in rows and columns, edge to edge.', ja: '縦横に、格子状に並ぶこと。' },
   },
   {
     key: 'contour', chapter: 'squares',
@@ -143,7 +143,7 @@ const all = [
   {
     key: 'corner-bubble', symbol: 'psi1', chapter: 'squares',
     name: { en: 'corner bubble', ja: '隅のバブル（副ポテンシャル）' },
-    text: { en: 'A small potential on a corner of a square. It acts on the centres of neighbours.', ja: '正方形の隅に置く小さなポテンシャル。隣の中心に作用する。' },
+    text: { en: 'A small potential on a corner of a square, as of a bubble. It acts on the centres of neighbours, not on their corners.', ja: '正方形の隅に置く小さなバブルのポテンシャル。隣の隅ではなく、隣の中心に作用する。' },
   },
   {
     key: 'corner-weight', symbol: 'cw', chapter: 'squares',
@@ -158,7 +158,7 @@ const all = [
   {
     key: 'barrier', chapter: 'squares',
     name: { en: 'barrier', ja: '障壁' },
-    text: { en: 'The lowest height that must be passed from one well to the next.', ja: '一つの井戸から次の井戸へ移るために越える、最も低い峠の高さ。' },
+    text: { en: 'How much the lowest way from one well to the next rises above the well.', ja: '一つの井戸から次の井戸へ移る道のうち最も低い峠を、井戸の底から測った高さ。' },
   },
   ...wayTerms,
   {

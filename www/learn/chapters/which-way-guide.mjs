@@ -54,7 +54,7 @@ export const whichWayGuide = {
     },
     {
       question: { en: 'In the middle of a straight road the printed sum points …', ja: 'まっすぐな道の真ん中で、論文の式による和はどちらを向くか' },
-      right: { en: 'c. Nowhere: both long sides cancel, and less than 2 % of the arrows’ lengths are left on the middle half of the road.', ja: 'c。どちらも向かない。長い辺どうしが打ち消し合い、道の中ほど半分では、矢印の長さの合計の2%も残らない。' },
+      right: { en: 'c. Nowhere: both long sides cancel, and less than 2 % of the arrows’ lengths are left on the middle half of the road.', ja: 'c。どこも向かない。長い辺どうしが打ち消し合い、道の中ほど半分では、矢印の長さの合計の2%も残らない。' },
       thoughts: [
         [{ en: 'a, along:', ja: 'a（沿う）：' }, { en: 'sees two long sides that lie along the road, and forgets that arrows have a sense.', ja: '二本の辺が道に沿うことを見て、矢印の前後を忘れている。' }],
         [{ en: 'b, across:', ja: 'b（横切る）：' }, { en: 'is right about the small rest away from the centre: the ends leave it. Ask how long it is.', ja: '中心を外れたときのわずかな残りについては正しい。どれくらいの長さかを問う。' }],

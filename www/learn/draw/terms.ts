@@ -73,7 +73,7 @@ const DRAWN: Readonly<Record<string, Draw>> = {
   ratio: pair(1.6, measure),
   repulsion: pair(0.7, forces(0.7, 60)),
   attraction: pair(19 / 15, forces(19 / 15, 110)),
-  stiffness: curve('force', (x, y) => line([x(0.7), y(0.3)], [x(1.3), y(-0.3)], 'guide')),
+  stiffness: curve('force', (x, y) => line([x(0.5), y(0.5)], [x(1.5), y(-0.5)], 'guide')),
   'equation-of-motion': moved,
   mass: heavy,
   rest: track('let-go', { damp: '1.5', given: '0.25,0.5,1;0.45,0.5,0' }, 120),
