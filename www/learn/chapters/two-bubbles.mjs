@@ -66,7 +66,7 @@ export const twoBubbles = {
       heading: { en: 'The pair', ja: 'バブルの対' },
       text: {
         en: 'A bubble is a point with a [[force]] around it. Its circle shows the room it wants. The distance $w$ of two bubbles is counted so that their circles touch at $w = 1$. Move one bubble, and watch the arrows.',
-        ja: 'バブルは、まわりに[[force|力]]を及ぼす点です。円は、そのバブルの求める広さを表します。二つの間の距離$w$は、円が触れ合うところを1として測ります。片方を動かして、矢印を見てください。',
+        ja: 'バブルは、まわりに[[force|力]]を及ぼす点です。円は、そのバブルの求める広さを表します。二つの間の距離$w$は、円が触れ合うときに$w = 1$となるように測ります。片方を動かして、矢印を見てください。',
       },
       caption: {
         en: 'Two bubbles and the force on each; below them the force over the distance $w$, then the [[potential]], an energy. The dot is this pair. Forces are in units of $k0 / l0$, energies in $k0$, as explained below.',
