@@ -297,7 +297,7 @@ test('on the sheets to print each question has its sentence, its pictures and it
         const block = asked[at];
         assert.ok(height < A4.height * 0.9, `${name}: question ${at + 1} is ${height} high`);
         assert.equal(breaks, 'avoid');
-        // Formulas are no text of their own, so the sentence is compared up to the first one, without the glossary's marks.
+        // A formula is no text of its own, so the sentence is compared up to the first one, without links.
         const sentence = (block.ask ?? block.heading ?? block.text)[language].split('$')[0].replace(/\[\[([^|\]]+\|)?([^\]]+)\]\]/g, '$2');
         assert.ok(text.includes(sentence), `${name}: ${sentence}`);
         assert.deepEqual([answers, blanks, lines], [block.answers?.length ?? 0, block.blanks?.length ?? 0, 6]);

@@ -45,9 +45,9 @@ export async function walkByTab(page) {
 }
 
 /**
- * Goes through all screens of a class, and back. Returns the screens that do not fit the window, as they open or with one
- * more line of a figure's text, and those whose picture is left out or small: it has nearly half of the window's width,
- * or three quarters of its height. A screen is measured when its figure works and its plates have kept their place.
+ * Goes through all screens of a class, and back. Returns the screens that do not fit the window, as they open or with
+ * one more line of a figure's text, and those whose picture is left out or small: it has nearly half of the window's
+ * width, or three quarters of its height. A screen is measured when its figure works and its plates keep their place.
  * @param {Page} page @returns {Promise<string[]>}
  */
 export const unfitInClass = (/** @type {Page} */ page) =>
