@@ -75,7 +75,7 @@ impl Dual {
         let inner = Inner::new(domain, inner);
         let cells = (&self.particles[..], band);
         let mut owners = Ownership::new(plane, domain, cells, |p| inner.contains(p));
-        owners.assign(!self.is_voronoi);
+        owners.assign(self.tessellation.is_tidied());
         owners.cells(&self.particles)
     }
 

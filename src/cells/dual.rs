@@ -3,7 +3,7 @@
 //! Itoh, Miyata, Shimada (2003), section 5.2: a node's cell joins the centres of the mesh elements around it;
 //! on the boundary and on constraint lines it ends at the midpoints of their sides.
 
-use super::ghosts;
+use super::tessellation::Tessellation;
 use super::visibility::{self, Visibility};
 use super::voronoi::circumcentre;
 use crate::csr::Csr;
@@ -16,27 +16,6 @@ use glam::DVec2;
 
 /// The vertex of an element between inside and outside moves onto a wall that is nearer than this, in sizes.
 const SNAP: f64 = 0.35;
-
-/// Separates the free cells from the cells fixed on walls (the outline and constraint lines). Fixed cells get no
-/// polygon (Itoh, Miyata, Shimada 2003, section 5.2): the polygons of free cells end at them. If all are fixed, all
-/// count as free.
-pub(super) fn split_fixed(particles: Vec<Particle>) -> (Vec<Particle>, Vec<Particle>) {
-    let (fixed, cells): (Vec<Particle>, Vec<Particle>) = particles.iter().partition(|p| p.fixed);
-    if cells.is_empty() {
-        (fixed, cells)
-    } else {
-        (cells, fixed)
-    }
-}
-
-/// A cell as a node of the mesh; Voronoi polygons ignore stretch.
-pub(super) fn node(p: &Particle, is_voronoi: bool) -> Node {
-    if is_voronoi {
-        Node::plain(p.centre)
-    } else {
-        Node::of(p)
-    }
-}
 
 /// The place of one of the dual's vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,9 +42,7 @@ pub(super) struct Dual {
     /// (element, node, the vertex for this node), for divided elements.
     own_vertices: Vec<[u32; 3]>,
     pub mesh_vertices: usize,
-    /// Whether it is the plain Voronoi diagram: vertices are the circumcentres of Delaunay triangles, small
-    /// cells are kept and corners not straightened.
-    pub is_voronoi: bool,
+    pub tessellation: Tessellation,
 }
 
 impl Dual {
@@ -74,23 +51,12 @@ impl Dual {
     pub fn nodes(
         domain: &Domain,
         particles: Vec<Particle>,
-        is_voronoi: bool,
+        tessellation: Tessellation,
     ) -> (Vec<Node>, Vec<Particle>, usize) {
-        let (cells, fixed) = if is_voronoi {
-            (particles, Vec::new())
-        } else {
-            split_fixed(particles)
-        };
-        let mut nodes: Vec<Node> = cells
-            .iter()
-            .chain(&fixed)
-            .map(|p| node(p, is_voronoi))
-            .collect();
-        nodes.extend(if is_voronoi || !fixed.is_empty() {
-            ghosts::frame(domain).into_iter().map(Node::plain).collect()
-        } else {
-            ghosts::ghosts(domain, &cells)
-        });
+        let (cells, fixed) = tessellation.split(particles);
+        let own = cells.iter().chain(&fixed).map(|p| tessellation.node(p));
+        let ghosts = tessellation.ghosts(domain, &cells, &fixed);
+        let nodes = own.chain(ghosts).collect();
         (nodes, cells, fixed.len())
     }
 
@@ -99,19 +65,24 @@ impl Dual {
         domain: &Domain,
         mesh: &Mesh,
         (cells, fixed): (Vec<Particle>, usize),
-        is_voronoi: bool,
+        tessellation: Tessellation,
     ) -> Self {
         let sizes = cells.iter().map(|p| p.size).collect();
-        let mut dual = Self::of(cells, sizes, mesh, is_voronoi);
+        let mut dual = Self::of(cells, sizes, mesh, tessellation);
         dual.place_vertices(domain, mesh, fixed);
-        if !is_voronoi && !domain.lines().is_empty() {
+        if tessellation.has_lines(domain) {
             dual.divide(domain, mesh);
         }
         dual
     }
 
     /// A dual without vertices; they are placed later.
-    pub fn of(particles: Vec<Particle>, sizes: Vec<f64>, mesh: &Mesh, is_voronoi: bool) -> Self {
+    pub fn of(
+        particles: Vec<Particle>,
+        sizes: Vec<f64>,
+        mesh: &Mesh,
+        tessellation: Tessellation,
+    ) -> Self {
         let count = mesh.faces.len();
         Self {
             particles,
@@ -122,17 +93,17 @@ impl Dual {
             anchors: Vec::with_capacity(count),
             own_vertices: Vec::new(),
             mesh_vertices: mesh.vertices.len(),
-            is_voronoi,
+            tessellation,
         }
     }
 
     /// The vertex of an element, before walls move it.
     pub fn vertex(&self, mesh: &Mesh, face: &Face) -> DVec2 {
-        match *face.nodes() {
-            [a, b, c] if self.is_voronoi => {
+        match (self.tessellation, face.nodes()) {
+            (Tessellation::Voronoi, &[a, b, c]) => {
                 circumcentre([a, b, c].map(|k| mesh.vertices[k as usize]))
             }
-            ref nodes => {
+            (_, nodes) => {
                 let meeting = self.meeting(mesh, nodes);
                 meeting.unwrap_or_else(|| face.centroid(&mesh.vertices))
             }
@@ -166,7 +137,8 @@ impl Dual {
             let sizes = corners.clone().filter(|&k| k < real);
             let sizes: Vec<f64> = sizes.map(|k| self.particles[k].size).collect();
             let mut on = Anchor::Free;
-            if !self.is_voronoi && !sizes.is_empty() && sizes.len() < face.nodes().len() {
+            let borders = !sizes.is_empty() && sizes.len() < face.nodes().len();
+            if borders && self.tessellation.moves_to_walls() {
                 let size = sizes.iter().sum::<f64>() / sizes.len() as f64;
                 // Goes round the element, starting from a cell.
                 let first = corners.clone().position(|k| k < real).unwrap_or(0);

@@ -6,6 +6,7 @@
 
 use super::Cell;
 use super::dual::Dual;
+use super::tessellation::Tessellation;
 use super::tiling::{self, Lined};
 use crate::domain::Domain;
 use crate::mesh::seams::{STRATEGIES, Strategy};
@@ -18,7 +19,7 @@ const CORNERS: u32 = 4;
 /// Builds the dual.
 pub(super) struct DualBuilder {
     particles: Vec<Particle>,
-    is_voronoi: bool,
+    tessellation: Tessellation,
     /// The number of attempts begun.
     begun: usize,
     at_work: Option<(Attempt, AttemptPhase)>,
@@ -44,14 +45,14 @@ pub(super) enum Built {
 }
 
 impl DualBuilder {
-    /// Starts from these particles; `is_voronoi` asks for the Voronoi diagram.
-    pub fn new(domain: &Domain, mut particles: Vec<Particle>, is_voronoi: bool) -> Self {
+    /// Starts from these particles.
+    pub fn new(domain: &Domain, mut particles: Vec<Particle>, tessellation: Tessellation) -> Self {
         for p in &mut particles {
             p.centre = domain.space().wrap(p.centre);
         }
         Self {
             particles,
-            is_voronoi,
+            tessellation,
             begun: 0,
             at_work: None,
         }
@@ -63,7 +64,7 @@ impl DualBuilder {
             Some(at_work) => at_work,
             None => self.begin(domain),
         };
-        let is_voronoi = self.is_voronoi;
+        let tessellation = self.tessellation;
         // On a torus, kept edges would have effects so far away that cells do not close over the seams.
         let within = matches!(what, Attempt::Within(..));
         let least = if within { CORNERS } else { 0 };
@@ -71,7 +72,11 @@ impl DualBuilder {
             AttemptPhase::Mesh(mesh) => mesh,
             AttemptPhase::Delaunay(mut delaunay) => {
                 let next = if delaunay.advance() {
-                    AttemptPhase::Mesh(Mesh::whole(delaunay, |_| is_voronoi, least))
+                    AttemptPhase::Mesh(Mesh::whole(
+                        delaunay,
+                        |_| tessellation.keeps_triangles(),
+                        least,
+                    ))
                 } else {
                     AttemptPhase::Delaunay(delaunay)
                 };
@@ -84,12 +89,12 @@ impl DualBuilder {
                 domain,
                 &mesh,
                 (cells, fixed),
-                is_voronoi,
+                tessellation,
             ))),
             Attempt::Lines(lined) => lined.cells(domain, &mesh).map(Built::Cells),
             Attempt::Seams(strategy, sizes) => {
                 let cells = (&self.particles[..], sizes);
-                Dual::over_seams(domain, &mesh, cells, (strategy, is_voronoi)).map(Built::Dual)
+                Dual::over_seams(domain, &mesh, cells, (strategy, tessellation)).map(Built::Dual)
             }
         }
     }
@@ -98,13 +103,13 @@ impl DualBuilder {
         let particles = &self.particles;
         // In the plane ghosts end the mesh at the walls. A torus has no walls but must close over the seams.
         let Some(side) = domain.space().period() else {
-            let (nodes, cells, fixed) = Dual::nodes(domain, particles.clone(), self.is_voronoi);
+            let (nodes, cells, fixed) = Dual::nodes(domain, particles.clone(), self.tessellation);
             return (
                 Attempt::Within(cells, fixed),
                 AttemptPhase::Delaunay(IncrementalDelaunay::new(nodes)),
             );
         };
-        let lined = !self.is_voronoi && !domain.lines().is_empty();
+        let lined = self.tessellation.has_lines(domain);
         let number = self.begun;
         self.begun += 1;
         if lined && number < STRATEGIES.len() {
@@ -116,7 +121,7 @@ impl DualBuilder {
         }
         let number = number - if lined { STRATEGIES.len() } else { 0 };
         let strategy = STRATEGIES[number.min(STRATEGIES.len() - 1)];
-        let (nodes, sizes) = tiling::nodes(side, particles, strategy, self.is_voronoi);
+        let (nodes, sizes) = tiling::nodes(side, particles, strategy, self.tessellation);
         let what = Attempt::Seams(strategy, sizes);
         (
             what,

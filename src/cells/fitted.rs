@@ -8,6 +8,7 @@ use super::dual::Dual;
 use super::dual_builder::{Built, DualBuilder};
 use super::ownership::NAMELESS;
 use super::straighten::Straightening;
+use super::tessellation::Tessellation;
 use super::{Cell, images};
 use crate::domain::Domain;
 use crate::order;
@@ -26,8 +27,7 @@ pub struct Fitting {
     cells: Vec<Cell>,
     /// A stack of islands to do: their numbers and particles.
     left: Vec<(usize, Vec<Particle>)>,
-    /// See [`Fitting::voronoi`].
-    is_voronoi: bool,
+    tessellation: Tessellation,
     /// The largest id of a particle.
     largest: u32,
     /// The number of cells that are not images of others.
@@ -48,21 +48,21 @@ enum FittingPhase {
 impl Fitting {
     /// Starts the cells for these particles.
     pub fn new(particles: Vec<Particle>) -> Self {
-        Self::of(particles, false)
+        Self::of(particles, Tessellation::PseudoVoronoi)
     }
 
     /// Starts the plain Voronoi cells of these particles' centres within the outline. Each cell has all points nearer
     /// to its centre than to any other centre, however thin or small the cell is. Pieces that the outline cuts off from
     /// their centre go to a neighbour, or become cells if they are large.
     pub fn voronoi(particles: Vec<Particle>) -> Self {
-        Self::of(particles, true)
+        Self::of(particles, Tessellation::Voronoi)
     }
 
-    fn of(particles: Vec<Particle>, is_voronoi: bool) -> Self {
+    fn of(particles: Vec<Particle>, tessellation: Tessellation) -> Self {
         Self {
             cells: Vec::new(),
             left: Vec::new(),
-            is_voronoi,
+            tessellation,
             largest: particles.iter().map(|p| p.id).max().unwrap_or(0),
             count: 0,
             next: FittingPhase::Islands(particles),
@@ -75,14 +75,17 @@ impl Fitting {
             if domain.islands().len() > 1 {
                 self.join_islands();
             }
-            return if self.is_voronoi {
-                FittingPhase::Nothing
-            } else {
+            return if self.tessellation.is_tidied() {
                 FittingPhase::Corners
+            } else {
+                FittingPhase::Nothing
             };
         };
         let island = &domain.islands()[number];
-        FittingPhase::Build(number, DualBuilder::new(island, particles, self.is_voronoi))
+        FittingPhase::Build(
+            number,
+            DualBuilder::new(island, particles, self.tessellation),
+        )
     }
 
     /// The cells of all islands in the order of their ids. Cells without a particle get new ids, because each

@@ -37,6 +37,7 @@ mod ownership;
 mod packed;
 mod rings;
 mod straighten;
+mod tessellation;
 mod tiling;
 mod vertices;
 mod visibility;

@@ -1,8 +1,9 @@
 //! The dual on a torus, whose cells close over the seams.
 
 use super::Cell;
-use super::dual::{Anchor, Dual, node, split_fixed};
+use super::dual::{Anchor, Dual};
 use super::rings::is_tangled;
+use super::tessellation::{Tessellation, split_fixed};
 use crate::domain::Domain;
 use crate::mesh::seams::{Strategy, closes, with_images};
 use crate::mesh::{Mesh, Node};
@@ -20,10 +21,10 @@ pub(super) fn nodes(
     side: f64,
     particles: &[Particle],
     strategy: Strategy,
-    is_voronoi: bool,
+    tessellation: Tessellation,
 ) -> (Vec<Node>, Vec<f64>) {
     let (all, _) = with_images(side, particles, strategy);
-    let nodes = all.iter().map(|p| strategy.node(node(p, is_voronoi)));
+    let nodes = all.iter().map(|p| strategy.node(tessellation.node(p)));
     (nodes.collect(), all.iter().map(|p| p.size).collect())
 }
 
@@ -60,7 +61,7 @@ impl Lined {
     /// then the cells in the picture are taken.
     pub fn cells(self, domain: &Domain, mesh: &Mesh) -> Option<Vec<Cell>> {
         let sizes = self.cells.iter().map(|p| p.size).collect();
-        let mut dual = Dual::of(self.cells, sizes, mesh, false);
+        let mut dual = Dual::of(self.cells, sizes, mesh, Tessellation::PseudoVoronoi);
         dual.place_vertices(domain, mesh, self.fixed);
         dual.divide(domain, mesh);
         let mut cells = dual.cells(domain);
@@ -86,9 +87,9 @@ impl Dual {
         domain: &Domain,
         mesh: &Mesh,
         (particles, sizes): (&[Particle], Vec<f64>),
-        (strategy, is_voronoi): (Strategy, bool),
+        (strategy, tessellation): (Strategy, Tessellation),
     ) -> Option<Self> {
-        let mut dual = Self::of(Vec::new(), sizes, mesh, is_voronoi);
+        let mut dual = Self::of(Vec::new(), sizes, mesh, tessellation);
         for face in &mesh.faces {
             dual.push(dual.vertex(mesh, face), false, Anchor::Free);
         }
