@@ -1,6 +1,7 @@
 //! Closed triangle surfaces from grids of places.
 
 use super::Mark;
+use crate::field::smoothstep;
 use crate::trimesh::{TriMesh, box_triangles};
 use glam::DVec3;
 use std::collections::BTreeMap;
@@ -207,8 +208,7 @@ pub(super) fn bell(x: f64) -> f64 {
 
 /// Rises smoothly from 0 at `from` to 1 at `to`.
 pub(super) fn step(from: f64, to: f64, x: f64) -> f64 {
-    let t = ((x - from) / (to - from)).clamp(0.0, 1.0);
-    t * t * (3.0 - 2.0 * t)
+    smoothstep((x - from) / (to - from))
 }
 
 /// A point of the smooth curve through these points (Catmull, Rom 1974, A Class of Local Interpolating Splines); `at`

@@ -1,5 +1,6 @@
 //! Polygons and lines: circles, rounded corners, thick lines, images on a tile. Picture units, y down.
 
+use crate::planar::unit_vector;
 use glam::DVec2;
 
 /// Offsets of a ring's images that reach into a tile of this side, without the ring itself.
@@ -26,7 +27,7 @@ pub(super) fn round(centre: DVec2, radius: f64) -> Vec<DVec2> {
     let count = if radius < 12.0 { 12 } else { 64 };
     let point = |k: i32| {
         let turn = std::f64::consts::TAU * f64::from(k) / f64::from(count);
-        centre + radius * DVec2::new(libm::cos(turn), libm::sin(turn))
+        centre + radius * unit_vector(turn)
     };
     (0..count).map(point).collect()
 }

@@ -13,7 +13,7 @@ use super::sources::{Sources, Sum, line_weight, printed_vector};
 use super::symmetry::representation;
 use super::{ASPECT_RANGE, CellKind, Direction, FieldParams, Fields, Layer, SIZE_RANGE};
 use crate::domain::Domain;
-use crate::planar::Space;
+use crate::planar::{Space, unit_vector};
 use glam::DVec2;
 
 /// A node takes the mean of its neighbours from the coarser pass if the direction's features there are at least this
@@ -60,7 +60,7 @@ impl FieldBuilder {
         let aspects = has(&CellKind::is_stretched) && params.varies_aspect();
         let (layers, sources) = layers(domain, &params, symmetries);
         let sampled = !layers.is_empty();
-        let mut along = DVec2::new(libm::cos(params.angle), libm::sin(params.angle));
+        let mut along = unit_vector(params.angle);
         let asked = Lattice {
             size: params.size,
             aspect: params.aspect,
@@ -306,6 +306,7 @@ mod tests {
     use super::super::{CellKind, follow::sources, symmetry::direction_of};
     use super::*;
     use crate::generators::pavement::{self, PavementRecipe};
+    use crate::planar::signed_angle;
 
     /// Mean and 95th percentile of the angle (degrees) between the fields and the plain sum over all sources,
     /// away from singular places.
@@ -331,7 +332,7 @@ mod tests {
                 representation(exact, n),
                 representation(fields.direction(p), n),
             );
-            let turn = libm::atan2(a.perp_dot(b), a.dot(b)) / f64::from(n);
+            let turn = signed_angle(a, b) / f64::from(n);
             errors.push(turn.to_degrees().abs());
         }
         crate::order::sort(&mut errors, |&e| (crate::order::rank(e), 0));

@@ -143,6 +143,7 @@ fn divisor(a: i64, b: i64) -> i64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::planar::unit_vector;
 
     /// Whether (x, y) is an integer combination of the lattice's two vectors.
     fn repeats(kind: CellKind, lattice: Lattice, p: DVec2) -> bool {
@@ -170,7 +171,7 @@ mod tests {
                     let asked = Lattice {
                         size,
                         aspect: if kind.is_stretched() { 2.0 } else { 1.0 },
-                        along: DVec2::new(libm::cos(angle), libm::sin(angle)),
+                        along: unit_vector(angle),
                     };
                     let got = fitted(Space::torus(side), kind, asked).unwrap();
                     let said = format!("{kind:?} {size} {degrees}: {got:?}");
@@ -189,10 +190,7 @@ mod tests {
         let asked = |degrees: f64| Lattice {
             size: 23.0,
             aspect: 1.0,
-            along: DVec2::new(
-                libm::cos(degrees.to_radians()),
-                libm::sin(degrees.to_radians()),
-            ),
+            along: unit_vector(degrees.to_radians()),
         };
         let got = |degrees| fitted(Space::torus(512.0), CellKind::Square, asked(degrees)).unwrap();
         assert_eq!(got(0.0).size, 512.0 / 22.0);

@@ -39,6 +39,7 @@ mod lattice;
 mod params;
 mod scalar;
 mod singular;
+mod smoothstep;
 mod sources;
 pub(crate) mod symmetry;
 
@@ -48,6 +49,7 @@ pub use kind::CellKind;
 pub use params::{Direction, FieldParams};
 pub use scalar::{Grading, SoftSpot};
 pub use singular::Singularity;
+pub(crate) use smoothstep::{smoothstep, smoothstep_f32};
 
 use crate::domain::Domain;
 use glam::DVec2;

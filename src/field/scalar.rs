@@ -1,5 +1,6 @@
 //! Size and aspect ratio as functions of the point.
 
+use super::smoothstep;
 use glam::DVec2;
 
 /// Change of a value towards the boundary and the constraint lines.
@@ -14,8 +15,7 @@ pub struct Grading {
 impl Grading {
     /// Logarithm of the factor at a distance.
     pub(super) fn log_factor(&self, distance: f64) -> f64 {
-        let t = 1.0 - (distance / self.reach).clamp(0.0, 1.0);
-        libm::log(self.factor) * (t * t * (3.0 - 2.0 * t))
+        libm::log(self.factor) * smoothstep(1.0 - distance / self.reach)
     }
 
     pub(super) fn is_flat(&self) -> bool {

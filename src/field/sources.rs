@@ -292,6 +292,7 @@ pub(super) fn printed_term([a, b]: [DVec2; 2], p: DVec2) -> DVec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::planar::{signed_angle, unit_vector};
 
     #[test]
     fn weights_equal_numerical_integrals() {
@@ -324,7 +325,7 @@ mod tests {
         let at = |k: usize| {
             let t = k as f64 / 400.0 * std::f64::consts::TAU;
             let r = 180.0 + 30.0 * libm::sin(5.0 * t) + 6.0 * libm::sin(31.0 * t);
-            DVec2::splat(256.0) + r * DVec2::new(libm::cos(t), libm::sin(t))
+            DVec2::splat(256.0) + r * unit_vector(t)
         };
         let segments = (0..400).map(|k| [at(k), at((k + 1) % 400)]);
         for symmetry in [2, 4] {
@@ -350,7 +351,7 @@ mod tests {
                 let mut sum = Sum::default();
                 tree.sum(p, nearest, 4, &mut sum);
                 let (a, b) = (sum.vector, plain.vector);
-                error += libm::atan2(a.perp_dot(b), a.dot(b)).abs() / f64::from(symmetry);
+                error += signed_angle(a, b).abs() / f64::from(symmetry);
                 points += 1.0;
             }
             let mean = (error / points).to_degrees();

@@ -64,6 +64,7 @@ fn third(r: DVec2) -> DVec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::planar::unit_vector;
 
     #[test]
     fn directions_come_back_from_their_representations() {
@@ -71,7 +72,7 @@ mod tests {
             let sector = 180.0 / f64::from(symmetry);
             for k in 0..360 {
                 let t = f64::from(k).to_radians();
-                let e = DVec2::new(libm::cos(t), libm::sin(t));
+                let e = unit_vector(t);
                 let r = representation(e, symmetry);
                 let back = direction_of(r, symmetry);
                 assert!((representation(back, symmetry) - r).length() < 1e-12, "{k}");

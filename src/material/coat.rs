@@ -13,6 +13,7 @@ use super::reaction::Reaction;
 use crate::cells::{Cell, Graph};
 use crate::domain::{Domain, signed_area};
 use crate::order::{self, greater, lesser};
+use crate::planar::unit_vector;
 use crate::random::{Purpose, Random};
 use glam::DVec2;
 use std::f64::consts::{PI, TAU};
@@ -112,7 +113,7 @@ impl Coats {
 
     /// The phase, in full turns, of a wave along an angle; on a torus, of the nearest wave that repeats.
     fn turns(&self, p: DVec2, angle: f64, length: f64, period: Option<f64>) -> f64 {
-        let along = DVec2::new(libm::cos(angle), libm::sin(angle));
+        let along = unit_vector(angle);
         let Some(side) = period else {
             return p.dot(along) / length;
         };

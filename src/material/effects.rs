@@ -4,7 +4,7 @@
 //! every cover is a share, 0..1. The numbers are chosen by eye.
 
 use super::phong::{DIRT, FINISHES, MOSS, ROWS, WATER};
-use super::smoothstep::smoothstep_f32 as smoothstep;
+use crate::field::smoothstep_f32 as smoothstep;
 use crate::order::{greater, lesser};
 
 /// Strength of each effect, 0..1.

@@ -3,8 +3,7 @@
 use super::noise::NoiseTile;
 use super::pattern::{Coat, ColourParams, Pattern};
 use super::reaction::Reaction;
-use super::smoothstep::smoothstep;
-use crate::field::CellKind;
+use crate::field::{CellKind, smoothstep};
 use crate::order::{self, greater};
 use crate::random::{Purpose, Random};
 use std::f64::consts::TAU;

@@ -15,7 +15,6 @@ mod palettes;
 mod pattern;
 mod phong;
 mod reaction;
-mod smoothstep;
 mod stones;
 
 pub use coat::Coats;
@@ -41,4 +40,3 @@ pub(crate) use phong::MOSS;
 pub use phong::{FINISHES, Gloss, Material};
 #[cfg(house)]
 pub(crate) use reaction::Reaction;
-pub(crate) use smoothstep::smoothstep_f32;

@@ -3,6 +3,7 @@ use super::quads::Faces;
 use super::triangles::{NONE, Triangles};
 use super::*;
 use crate::domain::{cross, signed_area};
+use crate::planar::unit_vector;
 use crate::random::{Purpose, Random};
 
 fn even(points: Vec<DVec2>) -> Vec<Node> {
@@ -84,10 +85,6 @@ fn lone(mesh: &Mesh) -> usize {
     mesh.faces.iter().filter(|f| f.sides == 3).count()
 }
 
-fn unit(angle: f64) -> DVec2 {
-    DVec2::new(libm::cos(angle), libm::sin(angle))
-}
-
 fn area(triangles: &Triangles, nodes: &[Node]) -> f64 {
     let areas = triangles.nodes.iter().map(|t| {
         let [a, b, c] = t.map(|k| nodes[k as usize].at);
@@ -111,7 +108,7 @@ fn sides(triangles: &Triangles) -> Vec<[u32; 2]> {
 #[test]
 fn under_one_metric_flips_give_the_delaunay_triangulation_of_the_shrunk_points() {
     for (seed, aspect) in [(1, 1.5), (2, 2.0), (3, 3.0), (4, 5.0)] {
-        let axis = unit(0.3 + seed as f64);
+        let axis = unit_vector(0.3 + seed as f64);
         let mut nodes = jittered(20, 0.49, seed);
         for node in &mut nodes {
             node.metric = Metric::new(axis, aspect);
@@ -139,7 +136,7 @@ fn flips_under_a_metric_that_turns_within_few_cells_end_in_a_valid_triangulation
         let mut nodes = jittered(25, 0.49, seed);
         for node in &mut nodes {
             let turn = (0.7 + 0.2 * seed as f64) * (node.at.x + 0.3 * node.at.y);
-            node.metric = Metric::new(unit(turn), 2.0 + seed as f64);
+            node.metric = Metric::new(unit_vector(turn), 2.0 + seed as f64);
         }
         let mut triangles = delaunay(&nodes);
         let before = area(&triangles, &nodes);
@@ -159,7 +156,7 @@ fn flips_under_a_metric_that_turns_within_few_cells_end_in_a_valid_triangulation
 #[test]
 fn stretched_lattices_become_quads_and_round_cells_triangles() {
     for aspect in [1.5, 2.0, 3.0, 5.0] {
-        let axis = unit(0.4);
+        let axis = unit_vector(0.4);
         let mut nodes = even(lattice(9));
         for node in &mut nodes {
             node.at = axis * node.at.x * aspect + axis.perp() * node.at.y;

@@ -5,6 +5,7 @@ use super::{Cover, Histogram, MOST_SIDES, Tally, angle, median, ring_edges};
 use crate::cells::Cell;
 use crate::domain::{Domain, signed_area};
 use crate::field::{CellKind, Fields};
+use crate::planar::{signed_angle, unit_vector};
 use glam::DVec2;
 
 /// A corner turns by more than this, in degrees. So the pieces of a curved boundary do not count as sides.
@@ -135,7 +136,7 @@ pub(super) fn corners(ring: &[DVec2]) -> usize {
     (0..n)
         .filter(|&k| {
             let (u, v) = (edges[k], edges[(k + 1) % n]);
-            let turn = libm::atan2(u.perp_dot(v), u.dot(v));
+            let turn = signed_angle(u, v);
             turn.abs().to_degrees() > CORNER
         })
         .count()
@@ -165,6 +166,6 @@ pub(super) fn principal_axis(ring: &[DVec2]) -> Option<(f64, DVec2)> {
     let (mean, half) = ((xx + yy) / 2.0, (xx - yy) / 2.0);
     let off = (half * half + xy * xy).sqrt();
     let turn = 0.5 * libm::atan2(xy, half);
-    let axis = DVec2::new(libm::cos(turn), libm::sin(turn));
+    let axis = unit_vector(turn);
     (mean - off > 1e-12).then(|| (((mean + off) / (mean - off)).sqrt(), axis))
 }

@@ -5,6 +5,7 @@ use super::{angle, ring_edges};
 use crate::cells::Cell;
 use crate::domain::signed_area;
 use crate::field::CellKind;
+use crate::planar::unit_vector;
 use glam::DVec2;
 
 /// Measures of a cell by its polygon.
@@ -65,5 +66,5 @@ fn square_axis(ring: &[DVec2]) -> Option<DVec2> {
         sum += twice.rotate(twice / length) / (length * length);
     }
     let turn = 0.25 * libm::atan2(sum.y, sum.x);
-    (sum != DVec2::ZERO).then(|| DVec2::new(libm::cos(turn), libm::sin(turn)))
+    (sum != DVec2::ZERO).then(|| unit_vector(turn))
 }

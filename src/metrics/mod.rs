@@ -21,6 +21,7 @@ use crate::field::Fields;
 use crate::mesh::Mesh;
 use crate::order;
 use crate::packing::Particle;
+use crate::planar::signed_angle;
 use glam::DVec2;
 
 /// Sides of a cell and edges at a node are counted up to this; larger numbers count as this.
@@ -99,7 +100,7 @@ pub(crate) fn median(mut numbers: Vec<f64>) -> Option<f64> {
 
 /// The angle between a line and a direction, both unoriented, modulo `period` degrees: 0..period / 2.
 fn angle(line: DVec2, direction: DVec2, period: f64) -> f64 {
-    let turn = libm::atan2(direction.perp_dot(line), direction.dot(line)).to_degrees();
+    let turn = signed_angle(direction, line).to_degrees();
     let rest = turn - period * (turn / period).floor();
     rest.min(period - rest)
 }
@@ -117,12 +118,13 @@ fn ring_edges(ring: &[DVec2]) -> impl Iterator<Item = [DVec2; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::planar::unit_vector;
 
     #[test]
     fn angles_are_folded() {
         let at = |degrees: f64| {
             let t = degrees.to_radians();
-            DVec2::new(libm::cos(t), libm::sin(t))
+            unit_vector(t)
         };
         for (line, direction, period, wanted) in [
             (10.0, 0.0, 90.0, 10.0),

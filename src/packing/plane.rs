@@ -11,6 +11,7 @@ use super::transport::IdentityTransport;
 use super::wall::CLOSEST;
 use crate::domain::{Domain, Projection, Walls};
 use crate::field::{CellKind, Fields};
+use crate::planar::unit_vector;
 use crate::random::Random;
 use glam::DVec2;
 use std::ops::Range;
@@ -297,8 +298,8 @@ fn along_most(domain: &Domain, fields: &Fields) -> DVec2 {
     let mut sum = DVec2::ZERO;
     for [a, b] in domain.segments() {
         let (length, angle) = (a.distance(*b), libm::atan2(b.y - a.y, b.x - a.x));
-        sum += length * DVec2::new(libm::cos(6.0 * angle), libm::sin(6.0 * angle));
+        sum += length * unit_vector(6.0 * angle);
     }
     let angle = libm::atan2(sum.y, sum.x) / 6.0;
-    DVec2::new(libm::cos(angle), libm::sin(angle))
+    unit_vector(angle)
 }

@@ -5,6 +5,7 @@ use super::Particle;
 use super::force::Pair;
 use super::packing_domain::{MetricSpace, SpatialHash};
 use crate::domain::Domain;
+use crate::planar::unit_vector;
 use glam::DVec2;
 
 /// The stress on a packed cell as two numbers, each 0..=1.
@@ -132,7 +133,7 @@ impl<'a, S: MetricSpace> Surroundings<'a, S> {
         };
         let is_free = |k: &u32| {
             let turn = std::f64::consts::TAU * f64::from(*k) / f64::from(count);
-            let way = DVec2::new(libm::cos(turn), libm::sin(turn));
+            let way = unit_vector(turn);
             let taken = self.around.iter().any(|q| {
                 let (along, across) = (way.dot(*q), way.perp_dot(*q).abs());
                 along < OPEN && across < ASIDE * along.clamp(0.0, 1.0)

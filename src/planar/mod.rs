@@ -5,12 +5,14 @@
 //! an unstable sort: ties may fall differently where `usize` has another width, and the result would depend
 //! on the machine.
 
+mod angle;
 mod half_plane;
 mod rtree;
 mod segment;
 mod snap;
 mod space;
 
+pub(crate) use angle::{signed_angle, unit_vector};
 pub(crate) use half_plane::cut_polygon;
 pub(crate) use segment::{closest_on_segment, crosses, divided};
 pub use space::Space;

@@ -2,6 +2,7 @@
 
 use crate::domain::{cross, signed_area};
 use crate::order;
+use crate::planar::unit_vector;
 use glam::DVec2;
 
 /// Most corners of a stone; a ring along a curved boundary has more points.
@@ -186,7 +187,7 @@ fn seen_from(ring: &[DVec2], centre: DVec2) -> Vec<DVec2> {
     order::sort(&mut angles, |&a| (order::rank(a), 0));
     angles.dedup_by(|b, a| *b - *a < SIDE_RAY / 16.0);
     let hit = |&angle: &f64| {
-        let ray = DVec2::new(libm::cos(angle), libm::sin(angle));
+        let ray = unit_vector(angle);
         // Hits of one ray on a wall's two ends differ by rounding; slightly less is always inside.
         centre + ray * first_hit(ring, centre, ray) * (1.0 - 1e-6)
     };

@@ -176,11 +176,12 @@ impl Groups {
 mod tests {
     use super::*;
     use crate::field::CellKind;
+    use crate::planar::unit_vector;
 
     fn ring(kind: CellKind, count: usize) -> (Vec<Cell>, Vec<Vec<u32>>) {
         let cell = |k: usize| {
             let angle = k as f64 / count as f64 * std::f64::consts::TAU;
-            let out = DVec2::new(libm::cos(angle), libm::sin(angle));
+            let out = unit_vector(angle);
             Cell {
                 id: k as u32,
                 centre: 100.0 * out,

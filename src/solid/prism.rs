@@ -15,6 +15,7 @@
 use super::footprint::Footprint;
 use super::{Distribution, StoneKind, StoneParams};
 use crate::cells::Cell;
+use crate::planar::unit_vector;
 use crate::random::{Purpose, Random};
 use glam::{DVec2, DVec3, Vec3};
 use std::f64::consts::{PI, TAU};
@@ -207,7 +208,7 @@ pub(super) fn turned(v: DVec2, angle: f64) -> DVec2 {
     if angle.abs() == PI {
         return -v;
     }
-    DVec2::new(libm::cos(angle), libm::sin(angle)).rotate(v)
+    unit_vector(angle).rotate(v)
 }
 
 /// The number of points of a control mesh with `n` corners.

@@ -3,6 +3,7 @@
 //! All are pure functions of the mesh and the cells, computed only on demand.
 
 use crate::order;
+use crate::planar::signed_angle;
 use crate::surface_cells::SurfaceMesh;
 use crate::trimesh::frame::log_in;
 use crate::trimesh::{SurfacePoint, TangentFrame, TriMesh};
@@ -69,7 +70,7 @@ impl SurfaceMetrics {
                 let inner = [k, next].iter().any(|&k| !made.is_on_border(ring[k]));
                 let (side, e) = (flat[next] - flat[k], cell.axis);
                 if inner && cell.kind.has_corners() && e != DVec2::ZERO {
-                    let turn = libm::atan2(e.perp_dot(side), e.dot(side)).to_degrees();
+                    let turn = signed_angle(e, side).to_degrees();
                     let rest = turn - 90.0 * (turn / 90.0).floor();
                     angles += rest.min(90.0 - rest) * side.length();
                     lengths += side.length();

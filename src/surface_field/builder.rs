@@ -7,6 +7,7 @@ use super::sources::{self, NO_SOURCE, Sources, bone_source};
 use super::system::System;
 use super::{Along, SurfaceFieldParams, SurfaceFields, symmetry_of};
 use crate::field::symmetry::direction_of;
+use crate::planar::unit_vector;
 use crate::trimesh::TriMesh;
 use crate::trimesh::adjacency::{Adjacency, AdjacencyBuilder};
 use crate::trimesh::curvature::Curvatures;
@@ -320,10 +321,7 @@ impl SurfaceFieldBuilder {
         } else {
             let angle = self.params.direction.turn;
             let angle = if angle.is_finite() { angle } else { 0.0 };
-            (
-                self.symmetry,
-                DVec2::new(libm::cos(angle), libm::sin(angle)),
-            )
+            (self.symmetry, unit_vector(angle))
         };
         let fields = &mut self.fields;
         let vectors = if is_flow {

@@ -2,6 +2,7 @@
 
 use super::SurfaceFields;
 use crate::field::symmetry::representation;
+use crate::planar::signed_angle;
 use crate::trimesh::adjacency::carried;
 use crate::trimesh::{SurfacePoint, TangentFrame};
 use glam::{DVec2, DVec3};
@@ -107,7 +108,7 @@ impl SurfaceFields {
             representation(unit, symmetry)
         };
         let (carried, here) = (told(carried(from, n, m)), told(to));
-        libm::atan2(carried.perp_dot(here), carried.dot(here))
+        signed_angle(carried, here)
     }
 
     /// The angle by which parallel transport around a triangle turns a vector: the area of the triangle of the

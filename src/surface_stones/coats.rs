@@ -9,9 +9,10 @@ use crate::material::{
     turned,
 };
 use crate::order::{self, greater, lesser};
+use crate::planar::signed_angle;
 use crate::random::{Purpose, Random};
 use crate::surface_cells::SurfaceCell;
-use crate::trimesh::TangentFrame;
+use crate::trimesh::{TangentFrame, polygon};
 use glam::DVec3;
 use std::collections::BinaryHeap;
 use std::f64::consts::PI;
@@ -126,7 +127,7 @@ impl SurfaceCoats {
             Pattern::Direction => {
                 let frame = TangentFrame::of(cell.centre.normal);
                 let wanted = frame.within(front(angle));
-                let turn = libm::atan2(wanted.perp_dot(cell.axis), wanted.dot(cell.axis));
+                let turn = signed_angle(wanted, cell.axis);
                 turned(turn, cell.kind)
             }
             Pattern::Plain | Pattern::Turing | Pattern::Lines => 0.0,
@@ -210,12 +211,7 @@ fn front(angle: f64) -> DVec3 {
 
 /// The area of a ring in space.
 fn area(ring: &[DVec3]) -> f64 {
-    let Some(&first) = ring.first() else {
-        return 0.0;
-    };
-    let sides = ring.windows(2);
-    let sum: DVec3 = sides.map(|s| (s[0] - first).cross(s[1] - first)).sum();
-    0.5 * sum.length()
+    0.5 * polygon::across(ring).length()
 }
 
 /// The distance of each cell from the border along the graph of cells; huge if there is no border.

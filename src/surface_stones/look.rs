@@ -6,10 +6,11 @@
 
 use super::UnfoldedCell;
 use crate::cells::Cell;
+use crate::field::smoothstep_f32;
 use crate::heightfield::{Bed, Surfaces, TextureParams, between};
 use crate::material::{
     Coat, Effects, GROUND_ROW, LEVEL, Palette, Place, Sample, StoneTexture, WeatherParams, floor,
-    palette, smoothstep_f32,
+    palette,
 };
 use crate::order::{greater, lesser};
 use crate::solid::StoneKind;

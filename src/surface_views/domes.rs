@@ -3,6 +3,7 @@
 //! Their x runs along the body, and their y out of the surface. They reach a little below the surface, because it is
 //! curved and the bodies are flat.
 
+use crate::planar::unit_vector;
 use crate::scene::Body;
 use crate::solid::{Surface, normals};
 use glam::{DVec2, Vec3};
@@ -98,7 +99,7 @@ impl Dome {
 fn ellipse(half: DVec2, count: u32) -> Vec<DVec2> {
     let at = |k: u32| {
         let turn = TAU * f64::from(k) / f64::from(count);
-        half * DVec2::new(libm::cos(turn), libm::sin(turn))
+        half * unit_vector(turn)
     };
     (0..count).map(at).collect()
 }
@@ -119,7 +120,7 @@ fn rounded(half: DVec2, round: f64, corner: u32, side: u32) -> Vec<DVec2> {
         };
         let turn = FRAC_PI_2 * (f64::from(quarter) + part);
         let middle = signs[quarter as usize % 4] * (half - round);
-        middle + round * DVec2::new(libm::cos(turn), libm::sin(turn))
+        middle + round * unit_vector(turn)
     };
     for quarter in 0..4 {
         points.extend((0..corner).map(|k| arc(quarter, k)));

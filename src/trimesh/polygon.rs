@@ -1,6 +1,7 @@
 //! Polygons in space, cut into triangles.
 
 use glam::DVec3;
+use std::borrow::Borrow;
 
 /// Polygons with more corners are not triangulated.
 const MOST_CORNERS: usize = 600;
@@ -9,11 +10,17 @@ const MOST_IN_FILES: usize = 64;
 
 /// The sum of the cross products of neighbouring corners (Newell): normal to the polygon's mean plane, twice its area
 /// long.
-pub(crate) fn across(points: &[DVec3]) -> DVec3 {
-    let about = points.first().copied().unwrap_or_default();
-    let next = points.iter().cycle().skip(1);
-    let each = points.iter().zip(next);
-    each.map(|(&p, &q)| (p - about).cross(q - about)).sum()
+///
+/// Sutherland, Sproull, Schumacker (1974), A Characterization of Ten Hidden-Surface Algorithms.
+pub(crate) fn across(points: impl IntoIterator<Item = impl Borrow<DVec3>>) -> DVec3 {
+    let mut points = points.into_iter().map(|p| *p.borrow());
+    let Some(first) = points.next() else {
+        return DVec3::ZERO;
+    };
+    let mut from = DVec3::ZERO;
+    let arms = points.map(|p| p - first);
+    arms.map(|arm| std::mem::replace(&mut from, arm).cross(arm))
+        .sum()
 }
 
 /// Triangulates by cutting off ears: each time the one with the best triangle and no other corner in it. `may_join`

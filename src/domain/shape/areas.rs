@@ -1,7 +1,8 @@
 //! Outlines that are not roads.
 
-use super::curve::{ellipse, unit};
+use super::curve::ellipse;
 use crate::domain::Outline;
+use crate::planar::unit_vector;
 use glam::DVec2;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -58,7 +59,7 @@ pub fn star(width: f64, points: u32) -> Outline {
     let inner = 0.42 * width;
     let corner = |k: u32| {
         let radius = if k.is_multiple_of(2) { 1.0 } else { inner };
-        radius * unit(PI * f64::from(k) / f64::from(points) - FRAC_PI_2) / 2.0
+        radius * unit_vector(PI * f64::from(k) / f64::from(points) - FRAC_PI_2) / 2.0
     };
     Outline {
         rings: vec![(0..2 * points).map(corner).collect()],
@@ -85,7 +86,7 @@ pub fn plaza(width: f64, count: u32) -> Outline {
     let size = 0.62 * room * (1.6 - 0.6 * width);
     let square = box_around(DVec2::ZERO, DVec2::splat(0.5));
     let hole = |k: u32| {
-        let centre = away * unit(FIRST + step * f64::from(k));
+        let centre = away * unit_vector(FIRST + step * f64::from(k));
         match k % 3 {
             0 => ellipse(centre, DVec2::splat(size), 0.0),
             1 => box_around(centre, size * DVec2::new(0.9, 0.62)),

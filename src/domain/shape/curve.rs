@@ -1,15 +1,11 @@
 //! Arcs as points, and roads along them.
 
+use crate::planar::unit_vector;
 use glam::DVec2;
 use std::f64::consts::FRAC_PI_2;
 
 /// Chords deviate from the curve by at most this many sides of the picture (0.09 px of 512).
 const SAGITTA: f64 = 1.0 / 6000.0;
-
-/// The unit vector at an angle, bit for bit the same on every target.
-pub fn unit(angle: f64) -> DVec2 {
-    DVec2::new(libm::cos(angle), libm::sin(angle))
-}
 
 /// The number of chords for an arc.
 pub fn chords(radius: f64, angle: f64) -> usize {
@@ -20,15 +16,15 @@ pub fn chords(radius: f64, angle: f64) -> usize {
 /// Points of an arc, both ends included.
 pub fn arc(centre: DVec2, radius: f64, from: f64, to: f64) -> impl Iterator<Item = DVec2> {
     let n = chords(radius, to - from);
-    (0..=n).map(move |k| centre + radius * unit(from + (to - from) * k as f64 / n as f64))
+    (0..=n).map(move |k| centre + radius * unit_vector(from + (to - from) * k as f64 / n as f64))
 }
 
 /// Points of an ellipse with its first half axis turned by an angle, as a ring.
 pub fn ellipse(centre: DVec2, half: DVec2, turn: f64) -> Vec<DVec2> {
     let n = chords(half.max_element(), std::f64::consts::TAU).next_multiple_of(4);
     (0..n)
-        .map(|k| unit(std::f64::consts::TAU * k as f64 / n as f64) * half)
-        .map(|p| centre + unit(turn).rotate(p))
+        .map(|k| unit_vector(std::f64::consts::TAU * k as f64 / n as f64) * half)
+        .map(|p| centre + unit_vector(turn).rotate(p))
         .collect()
 }
 
@@ -56,7 +52,7 @@ impl Road {
     }
 
     fn mark(&mut self) {
-        let across = self.half * unit(self.heading + FRAC_PI_2);
+        let across = self.half * unit_vector(self.heading + FRAC_PI_2);
         self.right.push(self.place + across);
         self.left.push(self.place - across);
     }
@@ -64,7 +60,7 @@ impl Road {
     /// Continues straight.
     pub fn straight(&mut self, length: f64) {
         if length > 0.0 {
-            self.place += length * unit(self.heading);
+            self.place += length * unit_vector(self.heading);
             self.mark();
         }
     }
@@ -72,12 +68,12 @@ impl Road {
     /// Follows an arc that turns by an angle, clockwise where it is positive.
     pub fn bend(&mut self, radius: f64, angle: f64) {
         let to_centre = FRAC_PI_2.copysign(angle);
-        let centre = self.place + radius * unit(self.heading + to_centre);
+        let centre = self.place + radius * unit_vector(self.heading + to_centre);
         let start = self.heading;
         let n = chords(radius + self.half, angle);
         for k in 1..=n {
             self.heading = start + angle * k as f64 / n as f64;
-            self.place = centre - radius * unit(self.heading + to_centre);
+            self.place = centre - radius * unit_vector(self.heading + to_centre);
             self.mark();
         }
     }

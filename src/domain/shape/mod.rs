@@ -6,6 +6,7 @@ mod curve;
 mod roads;
 
 use super::{Outline, ring::bounds, signed_area};
+use crate::planar::unit_vector;
 use glam::DVec2;
 
 /// Parameters of a built-in outline.
@@ -54,7 +55,7 @@ pub fn built_in(name: &str, params: &ShapeParams) -> Outline {
 
 /// Turns the outline, moves and scales it into the picture, and orients its rings.
 fn fit(mut outline: Outline, params: &ShapeParams) -> Outline {
-    let turn = curve::unit(params.turn);
+    let turn = unit_vector(params.turn);
     for p in outline.rings.iter_mut().flatten() {
         *p = turn.rotate(*p);
     }

@@ -1,7 +1,8 @@
 //! Outlines that are roads.
 
-use super::curve::{Road, arc, chords, unit};
+use super::curve::{Road, arc, chords};
 use crate::domain::Outline;
+use crate::planar::unit_vector;
 use glam::DVec2;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -60,7 +61,7 @@ pub fn spiral(width: f64, turns: f64) -> Outline {
         let t = k as f64 / n as f64;
         let radius = (START * START + t * turns * (turns + 2.0 * START)).sqrt();
         let angle = TAU * (radius - START);
-        let (out, along) = (unit(angle), unit(angle + FRAC_PI_2));
+        let (out, along) = (unit_vector(angle), unit_vector(angle + FRAC_PI_2));
         let tangent = (out / TAU + along * radius).normalize();
         for (side, sign) in sides.iter_mut().zip([1.0, -1.0]) {
             side.push(pitch * (radius * out - sign * half * tangent.perp()));
@@ -83,11 +84,11 @@ pub fn junction(width: f64, arms: u32, first: f64) -> Outline {
     let mut ring = Vec::new();
     for arm in 0..arms {
         let angle = first + TAU * f64::from(arm) / f64::from(arms);
-        let (along, across) = (unit(angle), unit(angle + FRAC_PI_2));
+        let (along, across) = (unit_vector(angle), unit_vector(angle + FRAC_PI_2));
         ring.push(LENGTH * along - half * across);
         ring.push(LENGTH * along + half * across);
         if arms > 2 {
-            let centre = unit(angle + wedge) * (half + rounding) / libm::sin(wedge);
+            let centre = unit_vector(angle + wedge) * (half + rounding) / libm::sin(wedge);
             let from = angle - FRAC_PI_2;
             ring.extend(arc(centre, rounding, from, from - (PI - 2.0 * wedge)));
         }

@@ -1,5 +1,6 @@
 //! Planes in space.
 
+use crate::trimesh::polygon::across;
 use glam::DVec3;
 
 /// A plane with an outer side. The body lies where `distance` is not positive.
@@ -21,8 +22,7 @@ impl Plane {
         }
     }
 
-    /// The mean plane of a ring of points, which is counter-clockwise seen from outside (Newell's normal; Sutherland,
-    /// Sproull, Schumacker 1974, A Characterization of Ten Hidden-Surface Algorithms). None without area.
+    /// The mean plane of a ring of points, which is counter-clockwise seen from outside. None without area.
     pub fn of_ring(ring: impl ExactSizeIterator<Item = DVec3> + Clone) -> Option<Self> {
         let normal = Self::normal_of(ring.clone())?;
         let count = ring.len();
@@ -56,14 +56,4 @@ impl Plane {
             ..self
         }
     }
-}
-
-/// The vector across a ring of points, whose length is twice its area; zero for no points.
-fn across(mut ring: impl Iterator<Item = DVec3>) -> DVec3 {
-    let Some(origin) = ring.next() else {
-        return DVec3::ZERO;
-    };
-    let mut from = DVec3::ZERO;
-    let spans = ring.map(|p| std::mem::replace(&mut from, p - origin).cross(p - origin));
-    spans.sum()
 }

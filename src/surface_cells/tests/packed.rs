@@ -5,6 +5,7 @@ use super::shapes::{cell, check, nearest, patch};
 use crate::domain::{Domain, Outline};
 use crate::field::{CellKind, FieldBuilder, FieldParams};
 use crate::packing::{Packing, PackingParams};
+use crate::planar::unit_vector;
 use crate::surface_packing::fixture::Along;
 use crate::surface_packing::{PackingMesh, SurfacePlacing};
 use crate::trimesh::TriMesh;
@@ -45,7 +46,7 @@ fn disc(p: DVec2) -> DVec2 {
     } else {
         (q.y, 2.0 * quarter - quarter * q.x / q.y)
     };
-    DVec2::splat(256.0) + 250.0 * r * DVec2::new(libm::cos(t), libm::sin(t))
+    DVec2::splat(256.0) + 250.0 * r * unit_vector(t)
 }
 
 #[test]
@@ -65,7 +66,7 @@ fn packed_cells_on_a_dome_are_as_those_in_the_plane() {
         let mesh = patch([n, n], [false; 2], |u, v| lift(disc(DVec2::new(u, v))));
         let ring: Vec<DVec2> = (0..200)
             .map(|k| f64::from(k) / 200.0 * std::f64::consts::TAU)
-            .map(|t| DVec2::splat(256.0) + 250.0 * DVec2::new(libm::cos(t), libm::sin(t)))
+            .map(|t| DVec2::splat(256.0) + 250.0 * unit_vector(t))
             .collect();
         let params = FieldParams {
             size,

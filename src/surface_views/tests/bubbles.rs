@@ -1,6 +1,7 @@
 //! The ground, and bubbles on it.
 
 use super::*;
+use crate::planar::unit_vector;
 
 /// Cells scattered over a torus, of all sizes and directions.
 fn scattered(mesh: &TriMesh, kind: CellKind, count: u32) -> Vec<SurfaceParticle> {
@@ -19,7 +20,7 @@ fn scattered(mesh: &TriMesh, kind: CellKind, count: u32) -> Vec<SurfaceParticle>
             } else {
                 1.0
             },
-            axis: DVec2::new(libm::cos(b), libm::sin(b)),
+            axis: unit_vector(b),
             fixed: false,
         }
     };

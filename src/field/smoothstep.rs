@@ -2,7 +2,7 @@
 
 /// A smooth step: 0 up to t = 0, 1 from t = 1 on, between them 3 t^2 - 2 t^3, with zero slope at
 /// both ends.
-pub(super) fn smoothstep(t: f64) -> f64 {
+pub(crate) fn smoothstep(t: f64) -> f64 {
     let t = t.clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }
