@@ -60,17 +60,7 @@ impl FieldBuilder {
         let aspects = has(&CellKind::is_stretched) && params.varies_aspect();
         let (layers, sources) = layers(domain, &params, symmetries);
         let sampled = !layers.is_empty();
-        let mut along = unit_vector(params.angle);
-        let asked = Lattice {
-            size: params.size,
-            aspect: params.aspect,
-            along,
-        };
-        let lattice = fitted(space, params.kind, asked).filter(|_| !sampled);
-        if let Some(lattice) = lattice {
-            (params.size, params.aspect, along) = (lattice.size, lattice.aspect, lattice.along);
-            params.angle = libm::atan2(along.y, along.x);
-        }
+        let along = fit_lattice(&mut params, space, sampled);
         // A gradient does not repeat, so on a torus it becomes waves. Their sines are too slow for every
         // query and are sampled.
         let gradient = Gradient::new(params.linear, params.radial, params.side);
@@ -277,6 +267,23 @@ impl FieldBuilder {
             }
         }
     }
+}
+
+/// The constant direction. On a torus, size, aspect ratio and angle become the nearest ones that repeat with it, unless
+/// the direction is `sampled`.
+fn fit_lattice(params: &mut FieldParams, space: Space, sampled: bool) -> DVec2 {
+    let along = unit_vector(params.angle);
+    let asked = Lattice {
+        size: params.size,
+        aspect: params.aspect,
+        along,
+    };
+    let Some(lattice) = fitted(space, params.kind, asked).filter(|_| !sampled) else {
+        return along;
+    };
+    (params.size, params.aspect) = (lattice.size, lattice.aspect);
+    params.angle = libm::atan2(lattice.along.y, lattice.along.x);
+    lattice.along
 }
 
 /// The neighbours from the coarser pass, and their number: two on a line, or four around the node.

@@ -23,6 +23,8 @@ const STEEPEST: f32 = 1.6;
 const WALL: f32 = 1.5;
 /// Factor on the weight of a body's own pixels: from the weight 1 / `RIM` on, the planes count fully.
 const RIM: f32 = 2.0;
+/// Less weight of a body's own pixels is ignored.
+const LEAST: f32 = 0.05;
 
 /// The planes of a picture, in the coordinates of [`crate::scene`]: the side is 1.
 pub struct BumpMap {
@@ -124,6 +126,30 @@ impl BumpMap {
         if id == GROUND && beyond > 0.5 {
             return;
         }
+        let seen = self.own_pixels(surfel, id);
+        surfel.material = seen.material;
+        if seen.weight < LEAST {
+            return;
+        }
+        let part = lesser(upright, 1.0) * lesser(RIM * (seen.weight - LEAST), 1.0);
+        let one = 1.0 / seen.weight;
+        let [r, g, b, open] = seen.look.map(|sum| sum * one);
+        for (own, plane) in surfel.colour.iter_mut().zip([r, g, b]) {
+            *own += (plane - *own) * part;
+        }
+        surfel.open = 1.0 + (open * (1.0 / 255.0) - 1.0) * part;
+        let covered = spread * self.side as f32;
+        let near = ((FADES[1] - covered) / (FADES[1] - FADES[0])).clamp(0.0, 1.0);
+        let limit = |v: f32| lesser(greater(v * one, -STEEPEST), STEEPEST);
+        let [across, down] = seen.slope.map(limit);
+        let fine = Vec3::new(-across, 1.0, -down).normalize();
+        let mixed = surfel.normal + (fine - surfel.normal) * (part * near);
+        surfel.normal = mixed.normalize_or(surfel.normal);
+    }
+
+    /// The sums over the four pixels around a surface element, as far as they belong to its body.
+    #[inline(always)]
+    fn own_pixels(&self, surfel: &Surfel, id: u32) -> OwnPixels {
         let side = self.side as f32;
         let x = (surfel.position.x + 0.5) * side - 0.5;
         let y = (surfel.position.z + 0.5) * side - 0.5;
@@ -143,34 +169,34 @@ impl BumpMap {
             let is_own = pixel.id == id;
             (if is_own { weight } else { 0.0 }, pixel)
         });
-        let (mut sum, mut best) = (0.0, 0.0);
-        let (mut look, mut slope) = ([0.0; 4], [0.0; 2]);
+        let mut seen = OwnPixels {
+            weight: 0.0,
+            look: [0.0; 4],
+            slope: [0.0; 2],
+            material: surfel.material,
+        };
+        let mut best = 0.0;
         for (weight, pixel) in own {
-            sum += weight;
+            seen.weight += weight;
             let parts = pixel.look.map(f32::from);
-            look = std::array::from_fn(|k| look[k] + weight * parts[k]);
-            slope = std::array::from_fn(|k| slope[k] + weight * pixel.slope[k]);
+            seen.look = std::array::from_fn(|k| seen.look[k] + weight * parts[k]);
+            seen.slope = std::array::from_fn(|k| seen.slope[k] + weight * pixel.slope[k]);
             if weight > best {
-                (best, surfel.material) = (weight, pixel.material);
+                (best, seen.material) = (weight, pixel.material);
             }
         }
-        if sum < 0.05 {
-            return;
-        }
-        let part = lesser(upright, 1.0) * lesser(RIM * (sum - 0.05), 1.0);
-        let one = 1.0 / sum;
-        let [r, g, b, open] = look.map(|sum| sum * one);
-        for (own, plane) in surfel.colour.iter_mut().zip([r, g, b]) {
-            *own += (plane - *own) * part;
-        }
-        surfel.open = 1.0 + (open * (1.0 / 255.0) - 1.0) * part;
-        let covered = spread * side;
-        let near = ((FADES[1] - covered) / (FADES[1] - FADES[0])).clamp(0.0, 1.0);
-        let limit = |v: f32| lesser(greater(v * one, -STEEPEST), STEEPEST);
-        let fine = Vec3::new(-limit(slope[0]), 1.0, -limit(slope[1])).normalize();
-        let mixed = surfel.normal + (fine - surfel.normal) * (part * near);
-        surfel.normal = mixed.normalize_or(surfel.normal);
+        seen
     }
+}
+
+/// Weighted sums over the pixels of a body around a place.
+struct OwnPixels {
+    /// The sum of the weights.
+    weight: f32,
+    look: [f32; 4],
+    slope: [f32; 2],
+    /// The material of the pixel with the greatest weight.
+    material: u8,
 }
 
 /// Differences between pixels of one id: a stone has no slope across its rim.

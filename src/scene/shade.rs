@@ -9,7 +9,7 @@ use super::occlusion::Occlusion;
 use super::penumbra;
 use super::reflection::{FINISH, LitPoints, Reaching};
 use super::shadow::ShadowSample;
-use super::tile::{BAND, NO_VECTORS, SQUARE, Tile, get, set, units};
+use super::tile::{BAND, Each, NO_VECTORS, SQUARE, Tile, Vectors, get, set, units};
 use super::visibility::{FLOOR, NOTHING, VisibilityBuffer};
 use super::{Backdrop, Lighting, Scene, Surfel, View};
 use crate::order::lesser;
@@ -126,58 +126,22 @@ impl Shading {
         square: Tile,
         keep: &mut impl FnMut(usize, Vec3),
     ) {
-        let ShadingInputs {
-            scene,
-            sight,
-            light,
-            ..
-        } = studio;
+        let ShadingInputs { sight, light, .. } = studio;
         let view = sight.view();
         let width = view.size[0];
-        self.facets.look_up(scene, sight, square);
         let rays = square.rays(view);
         let points = square.points(sight, &rays);
-        let (mut normals, mut flats, mut lifts) = (NO_VECTORS, NO_VECTORS, [0.0; SQUARE]);
-        for (k, [x, y, at]) in square.pixels(view) {
-            let met = match sight.owner[at] {
-                owner if owner < FLOOR => match sight.cap(at) {
-                    Some(normal) => Facets::cap(scene, owner, normal),
-                    None => self.facets.met(scene, owner, &rays, k),
-                },
-                _ => PixelHit::FLOOR,
-            };
-            self.found[slot(width, x, y)].colour = met.colour;
-            set(&mut normals, k, met.normal);
-            set(&mut flats, k, met.flat);
-            lifts[k] = met.lift;
-        }
-        let normals = units(&normals, &flats);
+        let facing = self.meet_rays(studio, square, &rays);
         let mut spots = [ShadowSample::BESIDE; SQUARE];
         for (k, [x, y, at]) in square.pixels(view) {
-            let (owner, normal) = (sight.owner[at], get(&normals, k));
-            let is_body = owner < FLOOR;
+            let normal = get(&facing.normals, k);
+            let is_body = sight.owner[at] < FLOOR;
             keep(at, if is_body { normal } else { Vec3::ZERO });
+            let both = [normal, get(&facing.flats, k)];
+            let (seen, spot) = studio.spot(at, get(&points, k), both, facing.lifts[k]);
             let found = &mut self.found[slot(width, x, y)];
-            (found.normal, found.seen) = (normal, 1.0);
-            if owner == NOTHING {
-                continue;
-            }
-            if !is_body && studio.part_of_lamp > 0.0 {
-                found.seen = studio.seen_by_floor(get(&points, k));
-                continue;
-            }
-            let slack = if is_body {
-                lifts[k] + sight.slack(at)
-            } else {
-                0.0
-            };
-            match light.spot(get(&points, k), [normal, get(&flats, k)], slack) {
-                Some(there) => spots[k] = there,
-                None => match studio.thickness(owner) {
-                    Some(thick) => spots[k] = light.spot_behind(get(&points, k), normal, thick),
-                    None => found.seen = 0.0,
-                },
-            }
+            (found.normal, found.seen) = (normal, seen);
+            spots[k] = spot;
         }
         for (k, [x, y, _]) in square.pixels(view) {
             // Pixels that face away from the lamp have no place in its map.
@@ -185,55 +149,50 @@ impl Shading {
         }
     }
 
+    /// Intersects a tile's rays with the triangles that its pixels show. Stores the colours there.
+    #[inline(always)]
+    fn meet_rays(&mut self, studio: ShadingInputs, square: Tile, rays: &Vectors) -> TileNormals {
+        let ShadingInputs { scene, sight, .. } = studio;
+        let view = sight.view();
+        self.facets.look_up(scene, sight, square);
+        let (mut normals, mut flats, mut lifts) = (NO_VECTORS, NO_VECTORS, [0.0; SQUARE]);
+        for (k, [x, y, at]) in square.pixels(view) {
+            let met = match sight.owner[at] {
+                owner if owner < FLOOR => match sight.cap(at) {
+                    Some(normal) => Facets::cap(scene, owner, normal),
+                    None => self.facets.met(scene, owner, rays, k),
+                },
+                _ => PixelHit::FLOOR,
+            };
+            self.found[slot(view.size[0], x, y)].colour = met.colour;
+            set(&mut normals, k, met.normal);
+            set(&mut flats, k, met.flat);
+            lifts[k] = met.lift;
+        }
+        TileNormals {
+            normals: units(&normals, &flats),
+            flats,
+            lifts,
+        }
+    }
+
+    /// Computes the colours of a tile's pixels on the screen.
     fn shade_square(&self, studio: ShadingInputs, square: Tile, rgba: &mut [u8]) {
         let (sight, view) = (studio.sight, studio.sight.view());
         let rays = square.rays(view);
         let points = square.points(sight, &rays);
         let ways = units(&rays, &rays);
-        let (mut normals, mut smooth, mut colours) = (NO_VECTORS, NO_VECTORS, NO_VECTORS);
-        let (mut reaching, mut finishes) = (NO_VECTORS, [[0.0; SQUARE]; FINISH]);
-        for (k, [x, y, at]) in square.pixels(view) {
-            let found = &self.found[slot(view.size[0], x, y)];
-            let surfel = studio.surfel(at, get(&points, k), found);
-            let from_there = f32::from(self.occlusion.open[at]) * (1.0 / 255.0);
-            let floor = match surfel.normal.y > LEVEL && sight.owner[at] < FLOOR {
-                true => 1.0,
-                false => studio.light.floor_open(surfel.position),
-            };
-            let sky = lesser(from_there, surfel.open);
-            set(&mut reaching, k, Vec3::new(found.seen, sky, floor));
-            let finish = studio.light.finish(surfel.material);
-            finishes
-                .iter_mut()
-                .zip(finish)
-                .for_each(|(list, &v)| list[k] = v);
-            set(&mut colours, k, Vec3::from(surfel.colour));
-            set(&mut normals, k, surfel.normal);
-            set(&mut smooth, k, found.normal);
-        }
-        let mut lights = NO_VECTORS;
+        let surfels = self.surfels(studio, square, &points);
         let is_body = |[_, _, at]: [usize; 3]| sight.owner[at] < FLOOR;
-        let lit = match square.pixels(view).any(|(_, pixel)| is_body(pixel)) {
-            true => SQUARE,
-            false => 0,
+        let lights = match square.pixels(view).any(|(_, pixel)| is_body(pixel)) {
+            true => surfels.reflected(studio.light, &points, &ways),
+            false => NO_VECTORS,
         };
-        for k in (0..lit).step_by(LANES) {
-            let light = studio.light.reflected(&LitPoints {
-                positions: FourVectors::of(&points, k),
-                normals: FourVectors::of(&normals, k),
-                smooth: FourVectors::of(&smooth, k),
-                to_eye: -FourVectors::of(&ways, k),
-                reaching: FourVectors::of(&reaching, k),
-                colours: FourVectors::of(&colours, k),
-                finish: finishes.each_ref().map(|list| four(list, k)),
-            });
-            light.put(&mut lights, k);
-        }
         for (k, [x, y, at]) in square.pixels(view) {
             let [r, g, b] = match sight.owner[at] {
                 NOTHING | FLOOR => {
                     let place = [&points, &ways].map(|v| get(v, k));
-                    let colour = studio.behind(at, place, &Reaching::at(&reaching, k));
+                    let colour = studio.behind(at, place, &Reaching::at(&surfels.reaching, k));
                     dithered(colour, [x, y])
                 }
                 _ => studio.light.screen(get(&lights, k)),
@@ -242,6 +201,82 @@ impl Shading {
             let alpha = if is_clear { 0 } else { 255 };
             rgba[4 * at..][..4].copy_from_slice(&[r, g, b, alpha]);
         }
+    }
+
+    /// The surfaces found in a tile, with the light that reaches them.
+    #[inline(always)]
+    fn surfels(&self, studio: ShadingInputs, square: Tile, points: &Vectors) -> TileSurfels {
+        let (sight, view) = (studio.sight, studio.sight.view());
+        let mut tile = TileSurfels::NOTHING;
+        for (k, [x, y, at]) in square.pixels(view) {
+            let found = &self.found[slot(view.size[0], x, y)];
+            let surfel = studio.surfel(at, get(points, k), found);
+            let from_there = f32::from(self.occlusion.open[at]) * (1.0 / 255.0);
+            let floor = match surfel.normal.y > LEVEL && sight.owner[at] < FLOOR {
+                true => 1.0,
+                false => studio.light.floor_open(surfel.position),
+            };
+            let sky = lesser(from_there, surfel.open);
+            set(&mut tile.reaching, k, Vec3::new(found.seen, sky, floor));
+            let finish = studio.light.finish(surfel.material);
+            for (list, &v) in tile.finishes.iter_mut().zip(finish) {
+                list[k] = v;
+            }
+            set(&mut tile.colours, k, Vec3::from(surfel.colour));
+            set(&mut tile.normals, k, surfel.normal);
+            set(&mut tile.smooth, k, found.normal);
+        }
+        tile
+    }
+}
+
+/// The unit normals at the points where a tile's rays meet bodies.
+struct TileNormals {
+    /// Interpolated over the triangles.
+    normals: Vectors,
+    /// The triangles' own.
+    flats: Vectors,
+    /// See [`PixelHit::lift`].
+    lifts: Each,
+}
+
+/// The surface elements of a tile's pixels, by components.
+struct TileSurfels {
+    normals: Vectors,
+    /// The normals before details were added.
+    smooth: Vectors,
+    colours: Vectors,
+    /// The numbers of [`Reaching`], in its order.
+    reaching: Vectors,
+    finishes: [Each; FINISH],
+}
+
+impl TileSurfels {
+    const NOTHING: Self = Self {
+        normals: NO_VECTORS,
+        smooth: NO_VECTORS,
+        colours: NO_VECTORS,
+        reaching: NO_VECTORS,
+        finishes: [[0.0; SQUARE]; FINISH],
+    };
+
+    /// The light reflected to the eye, four pixels at once. `ways` are the directions from the eye.
+    #[inline(always)]
+    fn reflected(&self, light: &Lighting, points: &Vectors, ways: &Vectors) -> Vectors {
+        let mut lights = NO_VECTORS;
+        for k in (0..SQUARE).step_by(LANES) {
+            let reflected = light.reflected(&LitPoints {
+                positions: FourVectors::of(points, k),
+                normals: FourVectors::of(&self.normals, k),
+                smooth: FourVectors::of(&self.smooth, k),
+                to_eye: -FourVectors::of(ways, k),
+                reaching: FourVectors::of(&self.reaching, k),
+                colours: FourVectors::of(&self.colours, k),
+                finish: self.finishes.each_ref().map(|list| four(list, k)),
+            });
+            reflected.put(&mut lights, k);
+        }
+        lights
     }
 }
 
@@ -272,6 +307,28 @@ impl ShadingInputs<'_> {
     fn seen_by_floor(&self, point: Vec3) -> f32 {
         let reach = 2.0 * self.ground.radius;
         penumbra::visible(self.light, point, self.part_of_lamp, reach)
+    }
+
+    /// The share of the lamp that a pixel's surface sees without regard to the shadow maps, and its place in these maps.
+    /// `normals` are the interpolated normal and that of the triangle.
+    #[inline(always)]
+    fn spot(&self, at: usize, point: Vec3, normals: [Vec3; 2], lift: f32) -> (f32, ShadowSample) {
+        let owner = self.sight.owner[at];
+        let slack = match owner {
+            NOTHING => return (1.0, ShadowSample::BESIDE),
+            FLOOR if self.part_of_lamp > 0.0 => {
+                return (self.seen_by_floor(point), ShadowSample::BESIDE);
+            }
+            FLOOR => 0.0,
+            _ => lift + self.sight.slack(at),
+        };
+        if let Some(there) = self.light.spot(point, normals, slack) {
+            return (1.0, there);
+        }
+        match self.thickness(owner) {
+            Some(thick) => (1.0, self.light.spot_behind(point, normals[0], thick)),
+            None => (0.0, ShadowSample::BESIDE),
+        }
     }
 
     /// About how thick a body is, in the world, if light goes through it.
