@@ -1,8 +1,9 @@
 //! Coarse shadow maps leave out hidden bodies, and all texels stay the same.
 
-use super::super::{Body, Place};
+use super::super::{Body, Instance, Place};
 use super::*;
 use crate::random::{Purpose, Random};
+use crate::solid::Surface;
 
 /// A tetrahedron whose corners are 1 away from the origin.
 fn tetrahedron() -> Body {
