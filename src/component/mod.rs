@@ -31,6 +31,8 @@ mod shell;
 mod variant;
 
 #[cfg(test)]
+mod file_tests;
+#[cfg(test)]
 mod paint_tests;
 #[cfg(test)]
 mod tests;

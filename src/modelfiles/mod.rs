@@ -21,6 +21,8 @@ mod stl;
 mod text;
 
 #[cfg(test)]
+mod glb_tests;
+#[cfg(test)]
 mod tests;
 
 pub use obj::PolygonModel;

@@ -56,6 +56,8 @@ mod turn;
 mod walls;
 
 #[cfg(test)]
+mod dart_tests;
+#[cfg(test)]
 pub(crate) mod fixture;
 #[cfg(test)]
 mod tests;

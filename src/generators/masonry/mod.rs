@@ -11,6 +11,8 @@ mod diagrams;
 mod engine;
 mod figures;
 mod files;
+#[cfg(test)]
+mod flip_tests;
 mod grain;
 mod ground;
 mod kept;

@@ -1,24 +1,22 @@
-//! Properties of the views' scenes, and of bricks that are turned by hand.
+//! Properties of the views' scenes.
 
+use super::MasonryEngine;
 use super::colours::type_of;
 use super::diagrams::{Diagram, DiagramWork, STATES, Texture, clipped, lines, map_scene, occupied};
 use super::figures::size;
-use super::tests::{laid, recipe};
+use super::tests::laid;
 use super::views::MasonryView;
-use super::{MasonryEngine, SCHEMA};
-use crate::building::{Bend, FaceId};
+use crate::building::FaceId;
 use crate::generators::Engine;
 use crate::generators::scene_picture::SceneSource;
 use crate::masonry::footprint::Footprint;
-use crate::masonry::laying::{CellSort, Feature, Laying, MasonryCell};
+use crate::masonry::laying::{CellSort, Feature, Laying};
 use crate::masonry::occupancy::Bitmap;
 use crate::masonry::plan::{GridLine, is_wall, region};
-use crate::notice::Code;
-use crate::recipe::Recipe;
 use crate::scene::Scene;
 use std::collections::BTreeSet;
 
-fn engine(link: &str) -> MasonryEngine {
+pub(super) fn engine(link: &str) -> MasonryEngine {
     let pattern = match link.contains("pattern=") {
         true => "",
         false => "&pattern=bricks",
@@ -26,7 +24,7 @@ fn engine(link: &str) -> MasonryEngine {
     laid(&format!("make=masonry&size=128{pattern}&{link}")).expect("a building")
 }
 
-fn laying(engine: &MasonryEngine) -> &Laying {
+pub(super) fn laying(engine: &MasonryEngine) -> &Laying {
     engine.made.cells.made().expect("cells")
 }
 
@@ -285,92 +283,6 @@ fn bodies_are_told_by_the_view_that_shows_them() {
     engine.view("polygons");
     assert_eq!(engine.measures(1)[0], ("feature", 2.0));
     assert_eq!(engine.measures(9_999_999), []);
-}
-
-/// A cell's feature and vertices, as a value that can be compared.
-fn key(cell: &MasonryCell) -> (Feature, String) {
-    (cell.feature, format!("{:?}", cell.body.vertices()))
-}
-
-/// The faces around an edge: its own, and those at its corners.
-fn around(laying: &Laying, edge: usize) -> BTreeSet<FaceId> {
-    let building = laying.building();
-    let edge = &building.edges()[edge];
-    let corners = edge.corners.iter().flatten();
-    let beside = corners.flat_map(|&id| building.corner(id).faces.iter().flatten());
-    edge.faces.iter().flatten().chain(beside).copied().collect()
-}
-
-#[test]
-fn a_turned_edge_changes_only_what_is_around_it() {
-    for hand in ["solved", "stored"] {
-        for pattern in ["bricks", "ashlar"] {
-            let link = format!("building=block&hand={hand}&pattern={pattern}");
-            let before = engine(&link);
-            let edges = laying(&before).building().edges();
-            let upright =
-                |edge: &crate::building::Edge| edge.is_vertical() && edge.bend == Bend::Convex;
-            let edge = edges.iter().position(upright).expect("an edge");
-            let after = engine(&format!("{link}&flips=1,{edge}"));
-            let near = around(laying(&before), edge);
-            let far = |engine: &MasonryEngine| -> BTreeSet<(Feature, String)> {
-                let cells = laying(engine).cells().iter();
-                let is_far =
-                    |cell: &&MasonryCell| !cell.claims.iter().any(|(face, _)| near.contains(face));
-                cells.filter(is_far).map(key).collect()
-            };
-            assert!(far(&before).len() > 20);
-            assert_eq!(far(&before), far(&after), "{link}");
-            let turned = |engine: &MasonryEngine| -> Vec<(Feature, String)> {
-                let cells = laying(engine).cells().iter();
-                let own = cells
-                    .filter(|cell| matches!(cell.feature, Feature::Edge(id) if id.index() == edge));
-                own.map(key).collect()
-            };
-            assert_ne!(turned(&before), turned(&after), "{link}");
-            let twice = engine(&format!("{link}&flips=1,{edge};1,{edge}"));
-            assert_eq!(before.digest(), twice.digest());
-            assert_ne!(before.digest(), after.digest());
-        }
-    }
-}
-
-#[test]
-fn a_turned_corner_turns_its_own_brick() {
-    let before = engine("building=gate");
-    let corners = laying(&before)
-        .cells()
-        .iter()
-        .filter_map(|cell| match cell.feature {
-            Feature::Corner(id) => Some((id, key(cell))),
-            _ => None,
-        });
-    let changed = corners.filter(|(id, brick)| {
-        let after = engine(&format!("building=gate&flips=0,{}", id.0));
-        let cells = laying(&after).cells().iter();
-        cells.map(key).all(|cell| cell != *brick)
-    });
-    assert!(changed.take(3).count() == 3);
-}
-
-#[test]
-fn flips_of_nothing_are_told() {
-    let engine = engine("building=block&flips=1,900;0,1;0,77");
-    let told = engine.remarks();
-    assert_eq!(told.len(), 1);
-    assert_eq!(told[0].code, Code::MasonryFlips);
-    assert!(told[0].to_string().contains('2'), "{}", told[0]);
-    let refused = |flips: &str| {
-        let (recipe, notices) =
-            Recipe::from_link(&[&SCHEMA], &format!("make=masonry&flips={flips}"));
-        assert!(recipe.rows(super::keys::FLIPS).is_empty());
-        notices.len()
-    };
-    let many = |count: usize| vec!["0,1"; count].join(";");
-    assert_eq!(["2,1", "0,-1", "0,1,2", "1,9999999"].map(refused), [1; 4]);
-    assert_eq!(refused(&many(257)), 1);
-    let most = recipe(&format!("make=masonry&flips={}", many(256)));
-    assert_eq!(most.rows(super::keys::FLIPS).len(), 256);
 }
 
 #[test]

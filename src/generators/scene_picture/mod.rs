@@ -11,6 +11,8 @@ mod shared;
 mod still;
 // The tests read files with a library that only native builds have.
 #[cfg(all(test, not(target_arch = "wasm32")))]
+mod file_tests;
+#[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests;
 mod view;
 mod yaw;

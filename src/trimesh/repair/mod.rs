@@ -17,6 +17,8 @@ mod thin;
 mod weld;
 
 #[cfg(test)]
+mod hole_tests;
+#[cfg(test)]
 mod tests;
 
 pub use crease::{CreaseCut, CreaseCutting};
