@@ -13,27 +13,26 @@
 //! Places in maps begin at the upper left corner of the picture. Those of a model are places in charts.
 
 #[cfg(house)]
+mod bodies;
+#[cfg(house)]
 mod joined;
 mod layout;
+mod template;
 
 use super::bytes::{put, put_floats};
 use super::frame::ExportSpace;
-#[cfg(house)]
-use super::json::text;
 use super::maps::id_colour;
-use crate::decimal;
 use crate::light::decoded;
 use crate::order::{greater, lesser};
 #[cfg(house)]
 use crate::scene::Place;
 use crate::solid::Surface;
 #[cfg(house)]
-use glam::{Mat3, Quat};
-#[cfg(house)]
 use joined::Joined;
 #[cfg(house)]
-use layout::{BARE, BLENDED, BODY, NO_SCALE, PAINTED, ROOT, WHITE};
+use layout::{BARE, WHITE};
 use layout::{BUFFERS, HEAD, IMAGE, INDICES, LISTS, Layout, PLACED, PLAIN, SHARED};
+use template::{fill, fill_up};
 
 /// The normal and tangent that all vertices share in a file with images.
 const UPRIGHT: [&[f32]; 2] = [&[0.0, 1.0, 0.0], &[1.0, 0.0, 0.0, 1.0]];
@@ -230,70 +229,6 @@ impl Glb {
         fill(&mut self.children, ",@", &[self.nodes_made as f64]);
     }
 
-    /// Adds a body: a node with a mesh, in its place.
-    #[cfg(house)]
-    pub(super) fn add_body(&mut self, mesh: usize, name: &str, place: &Place) {
-        let scale = place.scale();
-        let axes = place.axes.map(|axis| axis / scale);
-        let turn = Quat::from_mat3(&Mat3::from_cols(axes[0], axes[1], axes[2])).normalize();
-        let [own, placed, scaled] = BODY;
-        self.nodes += r#",{"name":"#;
-        self.nodes += &text(name);
-        fill(&mut self.nodes, own, &[mesh as f64]);
-        if *place != Place::default() {
-            let parts = [&turn.to_array()[..], &place.origin.to_array()].concat();
-            let numbers: Vec<f64> = parts.into_iter().map(shortest).collect();
-            fill(&mut self.nodes, placed, &numbers);
-        }
-        if (scale - 1.0).abs() >= NO_SCALE {
-            fill(&mut self.nodes, scaled, &[shortest(scale); 3]);
-        }
-        self.nodes.push('}');
-        self.list_node();
-    }
-
-    /// The same file, whose first node, and so all others, has a place without a turn.
-    #[cfg(house)]
-    pub(super) fn placed(self, root: Place) -> Self {
-        Self { root, ..self }
-    }
-
-    /// The end of the first node.
-    #[cfg(house)]
-    fn root_end(&self) -> String {
-        if self.root == Place::default() {
-            return LISTS[1].to_owned();
-        }
-        let mut end = String::new();
-        let numbers = [[self.root.scale(); 3], self.root.origin.to_array()].concat();
-        fill(
-            &mut end,
-            ROOT,
-            &numbers.into_iter().map(shortest).collect::<Vec<_>>(),
-        );
-        end
-    }
-
-    /// Adds a material; returns its number. Number 0 is that of [`Glb::new`].
-    #[cfg(house)]
-    pub(super) fn add_material(&mut self, material: &FileMaterial) -> usize {
-        let linear = material.tint.map(|c| decoded(f64::from(c) / 255.0));
-        let [r, g, b] = linear.map(|v| (v * 1e6).round() / 1e6);
-        let factors = [material.alpha, material.metal, material.roughness].map(shortest);
-        let numbers = [[r, g, b], factors].concat();
-        self.materials += ",{";
-        if let Some(name) = material.name {
-            self.materials += &format!("\"name\":{},", text(name));
-        }
-        fill(&mut self.materials, PAINTED, &numbers);
-        if material.alpha < 1.0 {
-            self.materials += BLENDED;
-        }
-        self.materials.push('}');
-        self.materials_made += 1;
-        self.materials_made
-    }
-
     /// The file in parts, without the images.
     pub fn finish(self) -> Vec<Vec<u8>> {
         #[cfg(house)]
@@ -370,65 +305,14 @@ impl Glb {
     }
 }
 
-/// A number with few decimals that rounds to `v` in single precision.
-#[cfg(house)]
-fn shortest(v: f32) -> f64 {
-    let exact = f64::from(v);
-    let scales = [1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10];
-    let mut rounded = scales
-        .map(|scale| (exact * scale).round() / scale)
-        .into_iter();
-    rounded.find(|&near| near as f32 == v).unwrap_or(exact)
-}
-
 /// The length of an image with its padding.
 fn filled(length: u32) -> usize {
     (length as usize).next_multiple_of(4)
 }
 
-/// Pads to a multiple of four bytes.
-fn fill_up(bytes: &mut Vec<u8>, by: u8) {
-    while !bytes.len().is_multiple_of(4) {
-        bytes.push(by);
-    }
-}
-
-/// Adds a template, with numbers in place of each @.
-fn fill(json: &mut String, template: &str, numbers: &[f64]) {
-    let mut numbers = numbers.iter();
-    for (k, piece) in template.split('@').enumerate() {
-        if k > 0 {
-            *json += &numbers.next().map_or(String::new(), |&x| number(x));
-        }
-        *json += piece;
-    }
-}
-
-/// Integers get no exponent: not all readers take 2e7 for an integer.
-fn number(x: f64) -> String {
-    let whole = x as u64;
-    if whole as f64 == x {
-        whole.to_string()
-    } else {
-        decimal::text(x)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn counts_are_written_as_such() {
-        for (x, wanted) in [
-            (0.0, "0"),
-            (12e6, "12000000"),
-            (-0.5, "-0.5"),
-            (1e-9, "1e-9"),
-        ] {
-            assert_eq!(number(x), wanted);
-        }
-    }
 
     #[test]
     fn images_are_told_of_but_come_later() {

@@ -4,6 +4,7 @@ use super::face_grid::{
     FaceGrid, WallColumns, edges, fixed_lines, is_wall, joints, place, plain, through_rows,
 };
 use super::fault::{PlanFault, PlanWarning};
+use super::groups::groups;
 use super::lines::{CourseMark, Courses, divided};
 use super::parity::{Columns, PhaseEdge, PhasePlan};
 use super::repair::{Change, RepairWork};
@@ -346,34 +347,6 @@ impl PlanMaking {
             .next()
             .map_or(&[], |group| &self.courses[&group].lines)
     }
-}
-
-/// For each wall the first wall of its group: the walls that vertical edges connect. Other faces are groups of their
-/// own.
-fn groups(building: &Building) -> Vec<FaceId> {
-    let mut firsts: Vec<FaceId> = building.face_ids().collect();
-    let root = |firsts: &mut [FaceId], mut id: FaceId| {
-        while firsts[id.index()] != id {
-            // Path halving makes the next search shorter.
-            let above = firsts[id.index()];
-            firsts[id.index()] = firsts[above.index()];
-            id = firsts[id.index()];
-        }
-        id
-    };
-    for edge in building.edges().iter().filter(|edge| edge.is_vertical()) {
-        let [Some(a), Some(b)] = edge.faces else {
-            continue;
-        };
-        if is_wall(building.face(a)) && is_wall(building.face(b)) {
-            let [a, b] = [a, b].map(|id| root(&mut firsts, id));
-            firsts[a.max(b).index()] = a.min(b);
-        }
-    }
-    building
-        .face_ids()
-        .map(|id| root(&mut firsts, id))
-        .collect()
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ mod depths;
 mod face_grid;
 mod fault;
 mod grid_lines;
+mod groups;
 mod lines;
 mod making;
 mod parity;
