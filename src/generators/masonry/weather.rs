@@ -116,11 +116,8 @@ impl Weather {
             let dark = RUNS[2] * self.runs(at, noise);
             surfel.colour = surfel.colour.map(|v| v * (1.0 - dark));
         }
-        let trodden = self.trodden.iter();
-        if let Some(share) = trodden
-            .filter_map(|face| face.share(at, surfel.normal))
-            .next()
-        {
+        let mut trodden = self.trodden.iter();
+        if let Some(share) = trodden.find_map(|face| face.share(at, surfel.normal)) {
             // No moss grows under feet.
             let worn = self.worn * share;
             let paler = worn * (WORN[0] + WORN[1] * noise.patches);

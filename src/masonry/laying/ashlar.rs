@@ -97,7 +97,7 @@ impl Site {
             if let Some(block) =
                 Footprint::rectangle(low, high).filter(|block| self.is_free(face, block))
             {
-                let draft = self.face_draft(face, &block, self.ashlar_depth(face), CellSort::Stone);
+                let draft = self.face_draft(face, &block, self.depth(face), CellSort::Stone);
                 self.place(Feature::Corner(id), node, draft);
                 return;
             }
@@ -221,19 +221,13 @@ impl Site {
     /// How deep the stones of a level edge reach into its other face (metres): about as deep as the stones of its first
     /// face, but one unit where that is nearly as deep, so that no strip of it is left.
     fn level_depth(&self, run: &Run) -> f64 {
-        let depth = self.ashlar_depth(run.sides[0].face);
+        let depth = self.depth(run.sides[0].face);
         let unit = run.sides[1].reach(1);
         if (NEARLY * depth..depth).contains(&unit) {
             unit
         } else {
             depth
         }
-    }
-
-    /// How deep stones reach (metres): no deeper than edge stones reach on neighbouring faces, which is one unit at the
-    /// least.
-    fn ashlar_depth(&self, face: FaceId) -> f64 {
-        self.depth(face)
     }
 
     /// The states of a row of units of a face.

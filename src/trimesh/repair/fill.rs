@@ -125,7 +125,8 @@ impl HoleFilling {
             }
             FillingPhase::Build => {
                 let mesh = self.building.as_mut()?.advance()?;
-                // No edge was added where one exists, so this is a mesh.
+                // No edge is added where one exists, so this is a mesh. If it were none, the surface would keep its
+                // holes, and no notice would say that some were closed.
                 match mesh {
                     Ok(mesh) => self.mesh = Arc::new(mesh),
                     Err(_) => self.filled = 0,
