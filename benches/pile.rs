@@ -12,7 +12,7 @@ use bubblestone::component::{Component, ComponentKind, Original};
 use bubblestone::generators::ALL;
 use bubblestone::generators::pile::PILE;
 use bubblestone::pile::{
-    Body, Dart, Darting, Fate, Kind, Method, Order, RefineParams, Refining, Shape, Turn,
+    Body, Dart, Darting, Fate, Kind, Method, RefineParams, Refining, SettlingOrder, Shape, Turn,
     expected_darts, merge,
 };
 use bubblestone::pile_shape::{PileShape, PiledShape};
@@ -31,7 +31,7 @@ const EDGE: f64 = 0.02;
 const PARAMS: RefineParams = RefineParams {
     offset: 0.15,
     removal: 0.05,
-    order: Order::Random,
+    order: SettlingOrder::Random,
     is_large_first: true,
     retries: 1,
     method: Method::Exact,

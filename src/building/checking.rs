@@ -8,7 +8,7 @@ use super::fault::{
 use super::ids::FaceId;
 use super::path::Path;
 use super::piece::{Arc, Piece};
-use super::surface::{Disk, Surface, Sweep};
+use super::surface::{Disk, FaceSurface, Sweep};
 use crate::decimal;
 use glam::DVec3;
 use std::collections::BTreeSet;
@@ -104,13 +104,13 @@ fn numbers(draft: &Draft) -> Result<(), BuildingFault> {
 fn face_numbers(k: usize, face: &DraftFace) -> Result<(), BuildingFault> {
     let path = || format!("faces[{k}].param");
     match &face.surface {
-        Some(Surface::Sweep(sweep)) => {
+        Some(FaceSurface::Sweep(sweep)) => {
             vector(path, sweep.direction())?;
             for piece in sweep.profile().pieces() {
                 piece_numbers(path, piece)?;
             }
         }
-        Some(Surface::Disk(disk)) => {
+        Some(FaceSurface::Disk(disk)) => {
             vector(path, disk.normal())?;
             piece_numbers(path, &Piece::Arc(*disk.rim()))?;
         }
@@ -202,10 +202,10 @@ fn arc_fault(draft: &Draft, arc: &DraftArc) -> Option<ArcFault> {
 }
 
 /// The first fault of a surface; `None` if it has none.
-fn surface_fault(surface: &Surface) -> Option<SurfaceFault> {
+fn surface_fault(surface: &FaceSurface) -> Option<SurfaceFault> {
     match surface {
-        Surface::Sweep(sweep) => sweep_fault(sweep),
-        Surface::Disk(disk) => disk_fault(disk),
+        FaceSurface::Sweep(sweep) => sweep_fault(sweep),
+        FaceSurface::Disk(disk) => disk_fault(disk),
     }
 }
 

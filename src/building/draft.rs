@@ -1,6 +1,6 @@
 //! A building as files and rules describe it, not checked yet.
 
-use super::surface::Surface;
+use super::surface::FaceSurface;
 use glam::DVec3;
 
 /// A building as it is described: numbered vertices, and faces with their loops. All lengths are metres, y is up.
@@ -46,7 +46,7 @@ pub struct DraftFace {
     /// Its labels, the most important one first.
     pub labels: Vec<String>,
     /// Its surface; a face without one is an error.
-    pub surface: Option<Surface>,
+    pub surface: Option<FaceSurface>,
     /// Its loops of vertices, seen from outside: outer ones counter-clockwise, holes clockwise. A whole cylinder has
     /// one loop around its bottom and one around its top.
     pub loops: Vec<Vec<u32>>,

@@ -69,7 +69,7 @@ fn surfaces_have_to_be_there_and_right() {
     assert_eq!(none, BuildingFault::NoSurface { face });
     let bad = |pieces: Vec<Piece>, direction: DVec3| {
         let sweep = Sweep::new(Path::new(pieces), direction);
-        fault(|draft| draft.faces[0].surface = Some(Surface::Sweep(sweep.clone())))
+        fault(|draft| draft.faces[0].surface = Some(FaceSurface::Sweep(sweep.clone())))
     };
     let line = |x: f64, y: f64| Piece::Line {
         from: DVec3::X * x,
@@ -105,11 +105,11 @@ fn surfaces_have_to_be_there_and_right() {
 #[test]
 fn loops_have_to_lie_on_their_surface() {
     let BuildingFault::OffSurface { face, by, .. } = fault(|draft| {
-        let Some(Surface::Sweep(sweep)) = &draft.faces[4].surface else {
+        let Some(FaceSurface::Sweep(sweep)) = &draft.faces[4].surface else {
             unreachable!();
         };
-        let frame = Surface::Sweep(sweep.clone()).frame(0.0, 0.0);
-        let moved = Surface::flat(frame.origin + frame.normal * 0.002, frame.s, frame.t);
+        let frame = FaceSurface::Sweep(sweep.clone()).frame(0.0, 0.0);
+        let moved = FaceSurface::flat(frame.origin + frame.normal * 0.002, frame.s, frame.t);
         draft.faces[4].surface = Some(moved);
     }) else {
         panic!("no fault");
@@ -159,7 +159,7 @@ fn edges_of_three_faces_are_refused_with_their_vertices() {
             let p = draft.vertices[v as usize] + out;
             draft.vertices.push(p);
         }
-        let surface = Surface::flat(draft.vertices[corners[0] as usize], DVec3::Z, DVec3::X);
+        let surface = FaceSurface::flat(draft.vertices[corners[0] as usize], DVec3::Z, DVec3::X);
         draft.faces.push(DraftFace {
             labels: Vec::new(),
             surface: Some(surface),
@@ -238,11 +238,11 @@ fn a_pinched_corner_is_told() {
         .extend(other.vertices.iter().map(|v| *v + by));
     for mut face in other.faces {
         face.loops.iter_mut().flatten().for_each(|v| *v += first);
-        let Some(Surface::Sweep(sweep)) = &face.surface else {
+        let Some(FaceSurface::Sweep(sweep)) = &face.surface else {
             unreachable!();
         };
-        let frame = Surface::Sweep(sweep.clone()).frame(0.0, 0.0);
-        face.surface = Some(Surface::flat(frame.origin + by, frame.s, frame.t));
+        let frame = FaceSurface::Sweep(sweep.clone()).frame(0.0, 0.0);
+        face.surface = Some(FaceSurface::flat(frame.origin + by, frame.s, frame.t));
         draft.faces.push(face);
     }
     let building = built("pinched", &draft);

@@ -148,8 +148,8 @@ fn obj_files_are_recognised() {
         };
         // Both jambs and their arch are one face in a draft, and three faces in a file.
         let joined = building.faces().iter().filter(|face| match &face.surface {
-            Surface::Sweep(sweep) => sweep.profile().pieces().len() > 1,
-            Surface::Disk(_) => false,
+            FaceSurface::Sweep(sweep) => sweep.profile().pieces().len() > 1,
+            FaceSurface::Disk(_) => false,
         });
         let joined = joined.count();
         assert_eq!(

@@ -5,7 +5,7 @@ use super::fault::{BuildingFault, OFF_SURFACE, SurfaceFault};
 use super::ids::FaceId;
 use super::piece::{Arc, Piece};
 use super::region::{self, Spot, SpotRing};
-use super::surface::{Disk, Surface, Sweep};
+use super::surface::{Disk, FaceSurface, Sweep};
 use super::triangles::{self, TriangleCorner};
 use crate::domain::{Contact, first_contact};
 use crate::order::{self, rank};
@@ -39,20 +39,20 @@ pub(super) struct Flat {
 /// Loops off their surface, loops that cross, or that do not bound a region.
 pub(super) fn flatten(
     face: FaceId,
-    surface: &Surface,
+    surface: &FaceSurface,
     loops: &[Vec<Walked<'_>>],
 ) -> Result<Flat, BuildingFault> {
     on_surface(face, surface, loops)?;
     match surface {
-        Surface::Sweep(sweep) => flatten_sweep(face, sweep, surface, loops),
-        Surface::Disk(disk) => flatten_disk(face, disk, surface, loops),
+        FaceSurface::Sweep(sweep) => flatten_sweep(face, sweep, surface, loops),
+        FaceSurface::Disk(disk) => flatten_disk(face, disk, surface, loops),
     }
 }
 
 /// Tests that all sides lie on the surface: their vertices, and places between them.
 fn on_surface(
     face: FaceId,
-    surface: &Surface,
+    surface: &FaceSurface,
     loops: &[Vec<Walked<'_>>],
 ) -> Result<(), BuildingFault> {
     for side in loops.iter().flatten() {
@@ -90,7 +90,7 @@ fn spots(loops: &[Vec<Walked<'_>>], flat: impl Fn(DVec3) -> DVec2) -> Vec<SpotRi
 fn flatten_sweep(
     face: FaceId,
     sweep: &Sweep,
-    surface: &Surface,
+    surface: &FaceSurface,
     loops: &[Vec<Walked<'_>>],
 ) -> Result<Flat, BuildingFault> {
     let mut rings = spots(loops, |p| surface.project(p).truncate());
@@ -192,7 +192,7 @@ pub(super) fn plain(rings: &[SpotRing]) -> Vec<Vec<DVec2>> {
 fn flatten_disk(
     face: FaceId,
     disk: &Disk,
-    surface: &Surface,
+    surface: &FaceSurface,
     loops: &[Vec<Walked<'_>>],
 ) -> Result<Flat, BuildingFault> {
     let rings = spots(loops, |p| in_plane(disk, p));
@@ -223,7 +223,7 @@ pub(super) fn from_plane(disk: &Disk, at: DVec2) -> DVec3 {
 /// The rings of a disk in s and t.
 fn polar(
     disk: &Disk,
-    surface: &Surface,
+    surface: &FaceSurface,
     loops: &[Vec<Walked<'_>>],
 ) -> Result<Vec<SpotRing>, region::UnboundedRegion> {
     let mut rings: Vec<SpotRing> = Vec::new();

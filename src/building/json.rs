@@ -4,7 +4,7 @@ use super::draft::{Draft, DraftArc, DraftFace, ExtraMesh};
 use super::fault::BuildingFault;
 use super::path::Path;
 use super::piece::{Arc, Piece};
-use super::surface::{Disk, Surface, Sweep};
+use super::surface::{Disk, FaceSurface, Sweep};
 use glam::DVec3;
 use serde_json::Value;
 
@@ -211,7 +211,7 @@ fn read_labels(at: &At<'_>) -> Read<Vec<String>> {
     }
 }
 
-fn read_surface(at: &At<'_>) -> Read<Surface> {
+fn read_surface(at: &At<'_>) -> Read<FaceSurface> {
     if let Some(disk) = at.get("disk") {
         return read_disk(&disk);
     }
@@ -219,7 +219,7 @@ fn read_surface(at: &At<'_>) -> Read<Surface> {
         return Err(at.fault("a sweep or a disk"));
     };
     let profile = Path::new(sweep.each(read_piece)?);
-    Ok(Surface::Sweep(Sweep::new(
+    Ok(FaceSurface::Sweep(Sweep::new(
         profile,
         at.need("dir")?.vector()?,
     )))
@@ -245,10 +245,10 @@ fn read_piece(at: &At<'_>) -> Read<Piece> {
     }
 }
 
-fn read_disk(at: &At<'_>) -> Read<Surface> {
+fn read_disk(at: &At<'_>) -> Read<FaceSurface> {
     let angles = at.need("angles")?;
     let [from, to] = angles.array("two numbers")?;
-    Ok(Surface::Disk(Disk::new(
+    Ok(FaceSurface::Disk(Disk::new(
         at.need("centre")?.vector()?,
         at.need("normal")?.vector()?,
         at.need("zero")?.vector()?,

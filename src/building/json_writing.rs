@@ -3,7 +3,7 @@
 use super::draft::{Draft, DraftArc, DraftFace, ExtraMesh};
 use super::json::VERSION;
 use super::piece::Piece;
-use super::surface::{Disk, Surface, Sweep};
+use super::surface::{Disk, FaceSurface, Sweep};
 use glam::DVec3;
 use serde_json::{Map, Value, json};
 
@@ -50,10 +50,10 @@ fn face(face: &DraftFace) -> Value {
     all.insert("label".into(), json!(face.labels));
     if let Some(surface) = &face.surface {
         let param = match surface {
-            Surface::Sweep(sweep) => {
+            FaceSurface::Sweep(sweep) => {
                 json!({ "sweep": profile(sweep), "dir": vector(sweep.direction()) })
             }
-            Surface::Disk(own) => json!({ "disk": disk(own) }),
+            FaceSurface::Disk(own) => json!({ "disk": disk(own) }),
         };
         all.insert("param".into(), param);
     }

@@ -10,7 +10,7 @@ use super::making_child::{Child, ChildMaking};
 use super::making_corners::{self, Names};
 use super::making_parent::{self, Chains};
 use super::parent::{Corner, Edge, EdgeUse, Face};
-use super::sides::{self, Sides, key};
+use super::sides::{self, SideTable, key};
 use super::whole::{Building, EdgeFrame};
 use super::wings::Wings;
 use glam::DVec2;
@@ -31,11 +31,11 @@ enum MakingStep {
     #[default]
     Begun,
     Checked,
-    Joined(Sides, ChildMaking),
-    Child(Sides, Child),
-    Meshes(Sides, Chains, Building),
-    Bent(Sides, Chains, Building),
-    Cornered(Sides, Chains, Building),
+    Joined(SideTable, ChildMaking),
+    Child(SideTable, Child),
+    Meshes(SideTable, Chains, Building),
+    Bent(SideTable, Chains, Building),
+    Cornered(SideTable, Chains, Building),
 }
 
 impl BuildingMaking {
@@ -102,7 +102,7 @@ impl Building {
     }
 
     /// Both meshes, as yet without corners, without the edges' neighbours and without their bends.
-    fn unlinked(draft: &Draft, (sides, chains): (&mut Sides, &Chains), child: Child) -> Self {
+    fn unlinked(draft: &Draft, (sides, chains): (&mut SideTable, &Chains), child: Child) -> Self {
         Self {
             faces: faces(draft, sides, chains, &child),
             edges: edges(sides, chains, &child),
@@ -134,7 +134,7 @@ impl Building {
         }
     }
 
-    fn add_corners(&mut self, sides: &Sides, chains: &Chains) {
+    fn add_corners(&mut self, sides: &SideTable, chains: &Chains) {
         let around = making_corners::around(sides, chains);
         for (id, around) in (0..).map(CornerId).zip(around) {
             let faces = around.faces.iter().flatten();
@@ -238,7 +238,7 @@ fn own_label(labels: &mut Vec<String>, has_own: &mut bool, label: &str) {
     }
 }
 
-fn faces(draft: &Draft, sides: &Sides, chains: &Chains, child: &Child) -> Vec<Face> {
+fn faces(draft: &Draft, sides: &SideTable, chains: &Chains, child: &Child) -> Vec<Face> {
     let mut polygons: Vec<Vec<PolygonId>> = vec![Vec::new(); draft.faces.len()];
     for (k, polygon) in child.polygons.iter().enumerate() {
         polygons[polygon.face.index()].push(PolygonId(k as u32));
@@ -283,7 +283,7 @@ fn uses(chains: &Chains, ring: &[usize]) -> Vec<EdgeUse> {
     all
 }
 
-fn edges(sides: &Sides, chains: &Chains, child: &Child) -> Vec<Edge> {
+fn edges(sides: &SideTable, chains: &Chains, child: &Child) -> Vec<Edge> {
     let edge = |chain: &Vec<usize>| {
         let first = &sides.sides[chain[0]];
         let other = first.twin.map(|twin| sides.sides[twin].face);

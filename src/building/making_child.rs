@@ -7,8 +7,8 @@ use super::fault::{BuildingFault, MOST_SIDES};
 use super::flattening::{self, Flat, Walked};
 use super::ids::{FaceId, PolygonEdgeId, PolygonId, VertexId};
 use super::piece::Piece;
-use super::sides::{Sides, key};
-use super::surface::Surface;
+use super::sides::{SideTable, key};
+use super::surface::FaceSurface;
 use super::triangles::TriangleCorner;
 use super::wings::Wings;
 use glam::{DVec2, DVec3};
@@ -45,7 +45,7 @@ impl ChildMaking {
     ///
     /// # Errors
     /// If that makes too many vertices.
-    pub fn new(sides: &Sides) -> Result<Self, BuildingFault> {
+    pub fn new(sides: &SideTable) -> Result<Self, BuildingFault> {
         let mut positions = sides.positions.clone();
         let along = cut_arcs(sides, &mut positions);
         if positions.len() > MOST_VERTICES {
@@ -67,7 +67,7 @@ impl ChildMaking {
     pub fn advance(
         &mut self,
         draft: &Draft,
-        sides: &Sides,
+        sides: &SideTable,
     ) -> Result<Option<Child>, BuildingFault> {
         if self.rings.len() == sides.loops.len() {
             return self.joined(sides).map(Some);
@@ -79,7 +79,7 @@ impl ChildMaking {
         Ok(None)
     }
 
-    fn add_face(&mut self, draft: &Draft, sides: &Sides) -> Result<(), BuildingFault> {
+    fn add_face(&mut self, draft: &Draft, sides: &SideTable) -> Result<(), BuildingFault> {
         let k = self.rings.len();
         let (face, loops) = (FaceId(k as u32), &sides.loops[k]);
         let Some(surface) = &draft.faces[k].surface else {
@@ -111,7 +111,7 @@ impl ChildMaking {
         Ok(())
     }
 
-    fn joined(&mut self, sides: &Sides) -> Result<Child, BuildingFault> {
+    fn joined(&mut self, sides: &SideTable) -> Result<Child, BuildingFault> {
         let (edges, between) = join(&mut self.polygons);
         check_sides(sides, &self.along, (&edges, &between), &self.positions)?;
         Ok(Child {
@@ -128,7 +128,7 @@ impl ChildMaking {
 /// Tests that each polygon edge along a side exists, with polygons on both sides of it unless the
 /// side lies on a border.
 fn check_sides(
-    sides: &Sides,
+    sides: &SideTable,
     along: &[Vec<u32>],
     (edges, between): (&[PolygonEdge], &Between),
     positions: &[DVec3],
@@ -152,7 +152,7 @@ fn check_sides(
 }
 
 /// The vertices along each side, from start to end; the two faces along an edge share them.
-fn cut_arcs(sides: &Sides, positions: &mut Vec<DVec3>) -> Vec<Vec<u32>> {
+fn cut_arcs(sides: &SideTable, positions: &mut Vec<DVec3>) -> Vec<Vec<u32>> {
     let mut along: Vec<Vec<u32>> = Vec::with_capacity(sides.sides.len());
     for (k, side) in sides.sides.iter().enumerate() {
         if positions.len() > MOST_VERTICES {
@@ -179,7 +179,7 @@ fn cut_arcs(sides: &Sides, positions: &mut Vec<DVec3>) -> Vec<Vec<u32>> {
 /// Adds the triangles of a face as polygons, and the vertices inside of it.
 fn add_polygons(
     face: FaceId,
-    surface: &Surface,
+    surface: &FaceSurface,
     flat: &Flat,
     positions: &mut Vec<DVec3>,
     polygons: &mut Vec<Polygon>,
@@ -192,8 +192,8 @@ fn add_polygons(
                 return VertexId(known);
             }
             let place = match surface {
-                Surface::Disk(disk) => flattening::from_plane(disk, at),
-                Surface::Sweep(_) => surface.frame(at.x, at.y).origin,
+                FaceSurface::Disk(disk) => flattening::from_plane(disk, at),
+                FaceSurface::Sweep(_) => surface.frame(at.x, at.y).origin,
             };
             inner.push((at, positions.len() as u32));
             positions.push(place);

@@ -3,7 +3,7 @@
 use super::ids::{CornerId, EdgeId, FaceId};
 use super::making_parent::Chains;
 use super::parent::EdgeEnd;
-use super::sides::{Side, Sides, key};
+use super::sides::{Side, SideTable, key};
 use std::collections::BTreeMap;
 
 /// The edges and faces at a corner, counter-clockwise seen from outside.
@@ -18,7 +18,7 @@ pub(super) struct CornerFan {
 }
 
 /// The edges and faces at each corner.
-pub(super) fn around(sides: &Sides, chains: &Chains) -> Vec<CornerFan> {
+pub(super) fn around(sides: &SideTable, chains: &Chains) -> Vec<CornerFan> {
     let all = &sides.sides;
     let mut around = vec![CornerFan::default(); chains.corners];
     let mut leaving: Vec<Vec<usize>> = vec![Vec::new(); chains.corners];
@@ -74,13 +74,13 @@ fn end(chains: &Chains, side: usize, at_start: bool) -> EdgeEnd {
 
 /// Finds edges and corners by numbers of the draft's vertices.
 pub(super) struct Names<'a> {
-    sides: &'a Sides,
+    sides: &'a SideTable,
     chains: &'a Chains,
     between: BTreeMap<(u32, u32), EdgeId>,
 }
 
 impl<'a> Names<'a> {
-    pub fn new(sides: &'a Sides, chains: &'a Chains) -> Self {
+    pub fn new(sides: &'a SideTable, chains: &'a Chains) -> Self {
         let each = sides.sides.iter().zip(&chains.of_side);
         let between = each.map(|(side, of)| (key(side.from, side.to), of.0));
         Self {

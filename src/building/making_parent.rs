@@ -3,7 +3,7 @@
 use super::ids::{CornerId, EdgeId, FaceId};
 use super::path::Path;
 use super::piece::{Arc, Piece};
-use super::sides::{Side, Sides};
+use super::sides::{Side, SideTable};
 
 /// A turn of a chain whose cosine is less makes a corner: 28 degrees.
 const TURN: f64 = 0.883;
@@ -26,7 +26,7 @@ pub(super) struct Chains {
 ///
 /// A vertex is a corner unless exactly two sides meet there (twins count as one), with the same faces and in nearly the
 /// same direction.
-pub(super) fn find(sides: &Sides) -> Chains {
+pub(super) fn find(sides: &SideTable) -> Chains {
     let corner = corners(sides);
     let count = corner.iter().flatten().count();
     let all = &sides.sides;
@@ -65,7 +65,7 @@ fn pair(sides: &[Side], k: usize) -> (FaceId, Option<FaceId>) {
 }
 
 /// The corners, numbered in the order of their vertices.
-fn corners(sides: &Sides) -> Vec<Option<CornerId>> {
+fn corners(sides: &SideTable) -> Vec<Option<CornerId>> {
     let all = &sides.sides;
     let mut at: Vec<Vec<usize>> = vec![Vec::new(); sides.positions.len()];
     // Twins count as one side.

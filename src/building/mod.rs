@@ -4,7 +4,7 @@
 //! two complete meshes. The *child mesh* has vertices, polygon edges and polygons; it is the shape. The *parent mesh*
 //! has corners, edges and faces; it is what patterns are made for. A face consists of polygons, an edge is a chain of
 //! polygon edges, and a corner is a vertex. Both are winged-edge structures ([`Wings`]). Faces have surfaces in closed
-//! form ([`Surface`]), edges are chains of lines and arcs ([`Path`]). Features have labels ([`labels`]).
+//! form ([`FaceSurface`]), edges are chains of lines and arcs ([`Path`]). Features have labels ([`labels`]).
 //!
 //! A building is described by a [`Draft`], which comes from a rule ([`Rule`]), from JSON ([`json`]; docs/building.md)
 //! or from an OBJ file ([`obj`]). [`Building::new`] checks it, and derives both meshes. [`Mortar`] is the building's
@@ -70,7 +70,7 @@ pub use parent::{Corner, Edge, EdgeEnd, EdgeUse, Face, Stance};
 pub use path::Path;
 pub use piece::{Arc, Piece};
 pub use rules::{DrawnFault, DrawnPlan, Module, Rule};
-pub use surface::{Disk, Surface, SurfaceFrame, Sweep};
+pub use surface::{Disk, FaceSurface, SurfaceFrame, Sweep};
 pub use thickness::WallThickness;
 pub use whole::{Building, EdgeFrame};
 pub use wings::Wings;

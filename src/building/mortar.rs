@@ -2,7 +2,7 @@
 
 use super::ids::{FaceId, VertexId};
 use super::labels::GLASS;
-use super::surface::Surface;
+use super::surface::FaceSurface;
 use super::whole::Building;
 use glam::DVec3;
 
@@ -62,7 +62,7 @@ impl Mortar {
 
 /// How far the middle of a straight block lies behind the surface at a place, if both of its ends lie on the surface
 /// (metres); 0 where the surface is flat or hollow.
-fn bulge(surface: &Surface, place: DVec3, block: f64) -> f64 {
+fn bulge(surface: &FaceSurface, place: DVec3, block: f64) -> f64 {
     let middle = surface.frame(place.x, place.y);
     let ends = [-0.5, 0.5].map(|way| surface.frame(place.x + way * block, place.y).origin);
     let behind = ends.map(|end| (middle.origin - end).dot(middle.normal));

@@ -109,7 +109,7 @@ pub fn read(bytes: &[u8]) -> Result<Recognised, BuildingFault> {
 
 fn face(
     labels: Vec<String>,
-    surface: Option<super::surface::Surface>,
+    surface: Option<super::surface::FaceSurface>,
     loops: Vec<Vec<u32>>,
 ) -> DraftFace {
     DraftFace {

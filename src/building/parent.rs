@@ -4,7 +4,7 @@
 use super::class::{Bend, CornerClass};
 use super::ids::{CornerId, EdgeId, FaceId, PolygonEdgeId, PolygonId, VertexId};
 use super::path::Path;
-use super::surface::Surface;
+use super::surface::FaceSurface;
 use super::wings::Wings;
 use glam::DVec2;
 
@@ -120,7 +120,7 @@ pub struct Face {
     /// Its labels, the most important one first.
     pub labels: Vec<String>,
     /// Its surface in closed form.
-    pub surface: Surface,
+    pub surface: FaceSurface,
     /// Its loops of edges: outer ones counter-clockwise seen from outside, holes clockwise. A seam, where the face
     /// meets itself, is not in them.
     pub loops: Vec<Vec<EdgeUse>>,
@@ -143,7 +143,7 @@ impl Face {
 
     /// How rows run on it.
     pub fn stance(&self) -> Stance {
-        let Surface::Sweep(sweep) = &self.surface else {
+        let FaceSurface::Sweep(sweep) = &self.surface else {
             return Stance::Level;
         };
         let rise = sweep.direction().y;

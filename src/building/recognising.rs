@@ -4,7 +4,7 @@ use super::fault::BuildingFault;
 use super::path::Path;
 use super::piece::{Arc, Piece};
 use super::polygon_sides::{PlaneRing, clash, left_of_sides, sides};
-use super::surface::{Surface, Sweep};
+use super::surface::{FaceSurface, Sweep};
 use crate::modelfiles::PolygonModel;
 use crate::order::{self, rank};
 use crate::trimesh::polygon;
@@ -182,7 +182,7 @@ impl Bow {
     }
 
     /// The cylinder through the joints.
-    pub fn surface(&self) -> Surface {
+    pub fn surface(&self) -> FaceSurface {
         let x = super::facets::perpendicular(self.axis);
         let y = self.axis.cross(x);
         let (gap, start) = self.gap();
@@ -201,7 +201,7 @@ impl Bow {
             to,
         };
         let profile = Path::new(vec![Piece::Arc(arc)]);
-        Surface::Sweep(Sweep::new(profile, self.axis))
+        FaceSurface::Sweep(Sweep::new(profile, self.axis))
     }
 }
 

@@ -28,7 +28,7 @@ pub(super) struct Side {
 }
 
 /// All sides that are no seams, and the welded vertices.
-pub(super) struct Sides {
+pub(super) struct SideTable {
     pub positions: Vec<DVec3>,
     /// The welded vertex of each vertex of the draft.
     pub welded: Vec<u32>,
@@ -47,7 +47,7 @@ pub(super) fn key(a: u32, b: u32) -> (u32, u32) {
 ///
 /// # Errors
 /// Loops that are too short, arcs given twice, edges of more than two faces, faces turned over.
-pub(super) fn join(draft: &Draft) -> Result<Sides, BuildingFault> {
+pub(super) fn join(draft: &Draft) -> Result<SideTable, BuildingFault> {
     let (positions, welded) = weld(&draft.vertices);
     let (arcs, mut unused) = arc_table(draft, &welded)?;
     let mut sides = Vec::new();
@@ -77,7 +77,7 @@ pub(super) fn join(draft: &Draft) -> Result<Sides, BuildingFault> {
         .collect();
     find_twins(draft, &welded, &mut sides)?;
     let (sides, loops) = without_seams(sides, draft.faces.len());
-    Ok(Sides {
+    Ok(SideTable {
         positions,
         welded,
         sides,

@@ -188,14 +188,14 @@ impl Disk {
 
 /// The surface of a face.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Surface {
+pub enum FaceSurface {
     /// A plane profile swept along a direction.
     Sweep(Sweep),
     /// A sector of a disk.
     Disk(Disk),
 }
 
-impl Surface {
+impl FaceSurface {
     /// The flat face through a point, with unit vectors s and t at right angles.
     pub fn flat(origin: DVec3, s: DVec3, t: DVec3) -> Self {
         let line = Piece::Line {

@@ -219,7 +219,7 @@ fn faces_are_covered_by_their_polygons_and_rings() {
                 assert!(place.z.abs() < 2e-3, "{name} {}", place.z);
             }
             assert!(rings > 0.0, "{name}");
-            if let Surface::Sweep(_) = face.surface {
+            if let FaceSurface::Sweep(_) = face.surface {
                 let share = polygons / rings;
                 assert!((0.998..1.0 + 1e-9).contains(&share), "{name} {share}");
             }
@@ -286,7 +286,7 @@ pub(super) fn mapped(draft: &Draft, map: impl Fn(DVec3) -> DVec3, mirrors: bool)
             face.loops.iter_mut().for_each(|ring| ring.reverse());
         }
         face.surface = face.surface.as_ref().map(|surface| match surface {
-            Surface::Sweep(sweep) => {
+            FaceSurface::Sweep(sweep) => {
                 let piece = |piece: &Piece| match *piece {
                     Piece::Line { from, to } => Piece::Line {
                         from: map(from),
@@ -301,16 +301,16 @@ pub(super) fn mapped(draft: &Draft, map: impl Fn(DVec3) -> DVec3, mirrors: bool)
                 };
                 let profile = Path::new(sweep.profile().pieces().iter().map(piece).collect());
                 let profile = if mirrors { profile.reversed() } else { profile };
-                Surface::Sweep(Sweep::new(profile, map(sweep.direction())))
+                FaceSurface::Sweep(Sweep::new(profile, map(sweep.direction())))
             }
-            Surface::Disk(disk) => {
+            FaceSurface::Disk(disk) => {
                 let rim = disk.rim();
                 let range = match mirrors {
                     true => [-rim.to, -rim.from],
                     false => [rim.from, rim.to],
                 };
                 let (centre, normal) = (map(disk.centre()), map(disk.normal()));
-                Surface::Disk(Disk::new(centre, normal, map(rim.x), rim.radius, range))
+                FaceSurface::Disk(Disk::new(centre, normal, map(rim.x), rim.radius, range))
             }
         });
     }

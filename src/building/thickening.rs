@@ -7,8 +7,8 @@ use super::fault::BuildingFault;
 use super::making_parent::path;
 use super::piece::Piece;
 use super::rules::flat_surface;
-use super::sides::{self, Side, Sides};
-use super::surface::{Surface, Sweep};
+use super::sides::{self, Side, SideTable};
+use super::surface::{FaceSurface, Sweep};
 use glam::DVec3;
 
 /// Sides whose unit tangents differ by more have a kink between them: about a degree.
@@ -45,7 +45,13 @@ impl Draft {
 }
 
 /// Adds the back and the narrow sides of a face. `back` is the vector from its front to its back.
-fn thicken(draft: &mut Draft, sides: &Sides, face: &DraftFace, loops: &[Vec<usize>], back: DVec3) {
+fn thicken(
+    draft: &mut Draft,
+    sides: &SideTable,
+    face: &DraftFace,
+    loops: &[Vec<usize>],
+    back: DVec3,
+) {
     let mut behind: Vec<Vec<DVec3>> = Vec::new();
     for ring in loops {
         let place = |&side: &usize| sides.positions[sides.sides[side].from as usize] + back;
@@ -56,11 +62,11 @@ fn thicken(draft: &mut Draft, sides: &Sides, face: &DraftFace, loops: &[Vec<usiz
     }
     let outer = behind.iter().map(|ring| flat_surface(ring));
     let surface = match &face.surface {
-        Some(Surface::Disk(_)) | None => outer.into_iter().next(),
+        Some(FaceSurface::Disk(_)) | None => outer.into_iter().next(),
         // The frame of the front with s reversed, so that its normal points to the back.
         Some(front) => {
             let frame = front.frame(0.0, 0.0);
-            Some(Surface::flat(frame.origin + back, -frame.s, frame.t))
+            Some(FaceSurface::flat(frame.origin + back, -frame.s, frame.t))
         }
     };
     add_face(draft, face, surface, &behind);
@@ -88,7 +94,7 @@ fn runs(sides: &[Side], ring: &[usize]) -> Vec<Vec<usize>> {
 }
 
 /// Adds the narrow face along a run of sides. Its loop walks these sides backwards, so its profile is reversed, too.
-fn add_side(draft: &mut Draft, sides: &Sides, face: &DraftFace, run: &[usize], back: DVec3) {
+fn add_side(draft: &mut Draft, sides: &SideTable, face: &DraftFace, run: &[usize], back: DVec3) {
     let all = &sides.sides;
     let ends = run.iter().map(|&side| all[side].to);
     let front: Vec<u32> = [all[run[0]].from].into_iter().chain(ends).collect();
@@ -100,7 +106,7 @@ fn add_side(draft: &mut Draft, sides: &Sides, face: &DraftFace, run: &[usize], b
         true => flat_surface(&ring),
         false => {
             let profile = path(all, run).reversed();
-            Surface::Sweep(Sweep::new(profile, back.normalize()))
+            FaceSurface::Sweep(Sweep::new(profile, back.normalize()))
         }
     };
     for &side in run {
@@ -121,7 +127,12 @@ fn add_side(draft: &mut Draft, sides: &Sides, face: &DraftFace, run: &[usize], b
 }
 
 /// Adds a face with new vertices, which are welded later.
-fn add_face(draft: &mut Draft, like: &DraftFace, surface: Option<Surface>, loops: &[Vec<DVec3>]) {
+fn add_face(
+    draft: &mut Draft,
+    like: &DraftFace,
+    surface: Option<FaceSurface>,
+    loops: &[Vec<DVec3>],
+) {
     let mut numbers = Vec::new();
     for ring in loops {
         let first = draft.vertices.len() as u32;

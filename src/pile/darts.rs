@@ -60,10 +60,10 @@ pub struct Darting {
     in_scan_order: bool,
     random: Random,
     accepted: Accepted,
-    stage: Stage,
+    stage: DartingPhase,
 }
 
-enum Stage {
+enum DartingPhase {
     /// The sums of the triangles' areas.
     Areas(RunningSums),
     Throw {
@@ -107,7 +107,7 @@ impl Darting {
     /// Begins to throw darts that are at least `spacing` apart. `kind` is the number of the type: each type has its own
     /// random numbers. `in_scan_order` takes points row by row, and the rows show (section 4.2).
     pub fn new(mesh: &TriMesh, spacing: f64, kind: u32, seed: u64, in_scan_order: bool) -> Self {
-        let stage = Stage::Areas(RunningSums::with_capacity(mesh.triangles().len()));
+        let stage = DartingPhase::Areas(RunningSums::with_capacity(mesh.triangles().len()));
         let random = Random::new(
             seed,
             Purpose::Dart,
@@ -125,14 +125,16 @@ impl Darting {
 
     /// Works on about `amount` triangles, darts or fragments. Returns whether all is done.
     pub fn advance(&mut self, mesh: &TriMesh, amount: usize) -> bool {
-        self.stage = match std::mem::replace(&mut self.stage, Stage::Done) {
-            Stage::Areas(sums) => self.areas(mesh, sums, amount),
-            Stage::Throw { sums, left, points } => self.throw(mesh, (sums, left, points), amount),
-            Stage::Scan(points) => self.scan(mesh, points, amount),
-            Stage::Cover(cover) => self.cover(mesh, cover, amount),
-            Stage::Done => Stage::Done,
+        self.stage = match std::mem::replace(&mut self.stage, DartingPhase::Done) {
+            DartingPhase::Areas(sums) => self.areas(mesh, sums, amount),
+            DartingPhase::Throw { sums, left, points } => {
+                self.throw(mesh, (sums, left, points), amount)
+            }
+            DartingPhase::Scan(points) => self.scan(mesh, points, amount),
+            DartingPhase::Cover(cover) => self.cover(mesh, cover, amount),
+            DartingPhase::Done => DartingPhase::Done,
         };
-        matches!(self.stage, Stage::Done)
+        matches!(self.stage, DartingPhase::Done)
     }
 
     /// The darts so far.
@@ -140,20 +142,20 @@ impl Darting {
         &self.accepted.points
     }
 
-    fn areas(&mut self, mesh: &TriMesh, mut sums: RunningSums, amount: usize) -> Stage {
+    fn areas(&mut self, mesh: &TriMesh, mut sums: RunningSums, amount: usize) -> DartingPhase {
         let all = mesh.triangles().len();
         let end = all.min(sums.len() + amount.max(1));
         for t in sums.len()..end {
             sums.push(mesh.area_of(t as u32));
         }
         if end < all {
-            return Stage::Areas(sums);
+            return DartingPhase::Areas(sums);
         }
         sums.index();
         let area = sums.total() / (self.spacing * self.spacing);
         let share = if self.in_scan_order { SCANNED } else { THROWN };
         let left = (share * area).ceil() as usize;
-        Stage::Throw {
+        DartingPhase::Throw {
             sums,
             left,
             points: Vec::new(),
@@ -165,7 +167,7 @@ impl Darting {
         mesh: &TriMesh,
         (sums, left, mut points): (RunningSums, usize, Vec<SurfacePoint>),
         amount: usize,
-    ) -> Stage {
+    ) -> DartingPhase {
         let now = left.min(amount.max(1));
         for _ in 0..now {
             let point = anywhere(mesh, &sums, &mut self.random);
@@ -176,13 +178,18 @@ impl Darting {
         }
         if now < left {
             let left = left - now;
-            return Stage::Throw { sums, left, points };
+            return DartingPhase::Throw { sums, left, points };
         }
         points.sort_by_key(|point| Reverse(scan_key(point.at, self.spacing)));
-        Stage::Scan(points)
+        DartingPhase::Scan(points)
     }
 
-    fn scan(&mut self, mesh: &TriMesh, mut points: Vec<SurfacePoint>, amount: usize) -> Stage {
+    fn scan(
+        &mut self,
+        mesh: &TriMesh,
+        mut points: Vec<SurfacePoint>,
+        amount: usize,
+    ) -> DartingPhase {
         for point in points
             .split_off(points.len().saturating_sub(amount.max(1)))
             .into_iter()
@@ -191,12 +198,12 @@ impl Darting {
             self.accepted.offer(point);
         }
         match points.is_empty() {
-            true => Stage::Cover(Cover::new(mesh)),
-            false => Stage::Scan(points),
+            true => DartingPhase::Cover(Cover::new(mesh)),
+            false => DartingPhase::Scan(points),
         }
     }
 
-    fn cover(&mut self, mesh: &TriMesh, mut cover: Cover, amount: usize) -> Stage {
+    fn cover(&mut self, mesh: &TriMesh, mut cover: Cover, amount: usize) -> DartingPhase {
         let end = cover.now.len().min(cover.at + amount.max(1));
         for k in cover.at..end {
             let fragment = cover.now[k];
@@ -221,8 +228,8 @@ impl Darting {
             };
         }
         match cover.now.is_empty() || cover.rounds > MOST_ROUNDS {
-            true => Stage::Done,
-            false => Stage::Cover(cover),
+            true => DartingPhase::Done,
+            false => DartingPhase::Cover(cover),
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Bodies and surfaces for tests.
 
 use super::{
-    Body, Dart, Darting, Fate, Kind, Method, Order, OverlapWork, RefineParams, Refining, Shape,
-    Turn, Wall, merge,
+    Body, Dart, Darting, Fate, Kind, Method, OverlapWork, RefineParams, Refining, SettlingOrder,
+    Shape, Turn, Wall, merge,
 };
 use crate::component::Sphere;
 use crate::trimesh::{Search, TriMesh, testing};
@@ -13,7 +13,7 @@ use std::sync::Arc;
 pub const PARAMS: RefineParams = RefineParams {
     offset: 0.1,
     removal: 0.05,
-    order: Order::Random,
+    order: SettlingOrder::Random,
     is_large_first: true,
     retries: 0,
     method: Method::Exact,

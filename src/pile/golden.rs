@@ -14,7 +14,7 @@ const SECTION: f64 = 0.618_033_988_749_894_9;
 
 /// Which of the settled bodies the paper's cost, eq. (1), looks at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reading {
+pub enum CostScope {
     /// The one that is nearest to the dart (section 3, step 2).
     Nearest,
     /// All that the body may meet.
@@ -64,13 +64,13 @@ impl<'a> Golden<'a> {
 
     /// The place by golden section (section 4.2.2). `None` if a settled body overlaps there by more than `removal`
     /// beyond the offset: eq. (3), over all settled bodies (section 4.2.3).
-    pub fn place(&self, iterations: u32, reading: Reading, removal: f64) -> Option<f64> {
+    pub fn place(&self, iterations: u32, scope: CostScope, removal: f64) -> Option<f64> {
         if self.settled.is_empty() {
             return Some(0.0_f64.clamp(self.range.0, self.range.1));
         }
-        let seen = match reading {
-            Reading::Nearest => &self.settled[self.nearest..=self.nearest],
-            Reading::All => &self.settled[..],
+        let seen = match scope {
+            CostScope::Nearest => &self.settled[self.nearest..=self.nearest],
+            CostScope::All => &self.settled[..],
         };
         let t = self.minimum(iterations, |t| self.cost(seen, t));
         (self.overlap(&self.settled, t) <= removal).then_some(t)

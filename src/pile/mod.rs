@@ -64,11 +64,11 @@ mod tests;
 
 pub use body::{Body, Fate};
 pub use darts::{Dart, Darting, expected_darts, same_side};
-pub use golden::Reading;
+pub use golden::CostScope;
 pub use kind::{Kind, Shape, natural_range};
 pub use layers::LayerDarting;
 pub use measures::{OverlapWork, contacts, contacts_of};
 pub use merge::merge;
-pub use refine::{Method, Order, RefineParams, Refining};
+pub use refine::{Method, RefineParams, Refining, SettlingOrder};
 pub use turn::Turn;
 pub use walls::Wall;

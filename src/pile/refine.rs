@@ -1,7 +1,7 @@
 //! The refinement: bodies settle one after the other along the surface's normal (section 4.2).
 
 use super::darts::scan_key;
-use super::golden::{Golden, Reading};
+use super::golden::{CostScope, Golden};
 use super::settled::Settled;
 use super::sliding::Sliding;
 use super::sliding_line::SlidingLine;
@@ -26,7 +26,7 @@ const SKIN: f64 = 1e-3;
 
 /// Which body settles next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Order {
+pub enum SettlingOrder {
     /// A random order, so that no period shows (section 4.2).
     Random,
     /// Row by row, which shows as rows.
@@ -43,7 +43,7 @@ pub enum Method {
         /// The number of iterations; the paper finds 15 enough.
         iterations: u32,
         /// The bodies that the cost looks at.
-        reading: Reading,
+        scope: CostScope,
     },
 }
 
@@ -55,7 +55,7 @@ pub struct RefineParams {
     /// D, the overlap beyond T at which a body is removed, in R of the smaller body (eq. 3); at least 0.
     pub removal: f64,
     /// The order within a type.
-    pub order: Order,
+    pub order: SettlingOrder,
     /// Whether the types settle one after the other, the largest first. If not, all types are mixed.
     pub is_large_first: bool,
     /// New orientations that are tried before a body is removed. The paper has none.
@@ -192,16 +192,13 @@ impl Refining {
                 let line = line.get_or_insert_with(|| self.line(body, whole));
                 self.exact_place(body, line)
             }
-            Method::Golden {
-                iterations,
-                reading,
-            } => {
+            Method::Golden { iterations, scope } => {
                 let shape = body.shape(&self.kinds);
                 let near = self
                     .settled
                     .near(body, shape.bound * body.scale, body.range);
                 let golden = Golden::new(body, shape, near, self.params.offset);
-                golden.place(iterations, reading, self.params.removal)
+                golden.place(iterations, scope, self.params.removal)
             }
         }
     }
@@ -244,11 +241,11 @@ fn order(bodies: &[Body], kinds: &[Kind], params: &RefineParams) -> Vec<u32> {
     };
     let widest = kinds.iter().map(Kind::spacing).fold(0.0, f64::max);
     let place = |body: &Body| match params.order {
-        Order::Random => (
+        SettlingOrder::Random => (
             Random::new(params.seed, Purpose::Order, u64::from(body.dart)).bits(),
             0,
         ),
-        Order::Scan => scan_key(body.at, widest),
+        SettlingOrder::Scan => scan_key(body.at, widest),
     };
     let waiting = bodies.iter().filter(|b| b.fate == Fate::Waiting);
     let mut order: Vec<u32> = waiting.map(|b| b.dart).collect();

@@ -2,7 +2,7 @@
 
 use super::Body;
 use super::blocked::Blocked;
-use super::sliding_line::{Along, Extent, Met, NOWHERE, SlidingLine};
+use super::sliding_line::{Extent, Met, NOWHERE, SlidingLine, SlidingSphere};
 use crate::component::{FourSpheres, Sphere, fourfold};
 use crate::order::{greater, set_bits};
 use wide::f32x4;
@@ -10,7 +10,7 @@ use wide::f32x4;
 /// A body in one orientation on its line.
 pub(super) struct Sliding<'a> {
     line: &'a SlidingLine,
-    own: Vec<Along>,
+    own: Vec<SlidingSphere>,
     /// The body's spheres, four by four, in units of the body's bound.
     fours: Vec<FourSpheres>,
     extent: Extent,
@@ -21,11 +21,12 @@ pub(super) struct Sliding<'a> {
 impl<'a> Sliding<'a> {
     /// A body of these spheres.
     pub fn new(line: &'a SlidingLine, body: &Body, spheres: &[Sphere]) -> Self {
-        let own: Vec<Along> = spheres
+        let own: Vec<SlidingSphere> = spheres
             .iter()
             .map(|s| line.along(body.turn * (body.scale * s.centre), body.scale * s.radius))
             .collect();
-        let most = |far: fn(&Along) -> f64| own.iter().map(far).fold(f64::NEG_INFINITY, greater);
+        let most =
+            |far: fn(&SlidingSphere) -> f64| own.iter().map(far).fold(f64::NEG_INFINITY, greater);
         let coarse = |length: f64| fourfold(length / line.bound);
         let extent = Extent {
             beside: coarse(most(|s| s.off().sqrt() + s.radius)),
@@ -34,7 +35,7 @@ impl<'a> Sliding<'a> {
         };
         let fours = own.chunks(4).map(|four| {
             let sphere = |k: usize| four.get(k).unwrap_or(&NOWHERE);
-            let centre = |s: &Along| [s.u, s.w, s.t].map(|v| v / line.bound);
+            let centre = |s: &SlidingSphere| [s.u, s.w, s.t].map(|v| v / line.bound);
             FourSpheres::new(|k| centre(sphere(k)), |k| sphere(k).radius / line.bound)
         });
         Self {
@@ -103,7 +104,7 @@ impl<'a> Sliding<'a> {
 
     /// A sphere relative to the body at t, in single precision. The allowed overlap is taken off its radius.
     fn there(&self, other: &Met, allowed: f64, t: f64) -> ([f32x4; 3], f32x4) {
-        let Along {
+        let SlidingSphere {
             u,
             w,
             t: along,

@@ -19,7 +19,7 @@ const NOTHING: Met = Met {
     slack: 0.0,
 };
 /// The place of `NOTHING`, far from all bodies.
-pub(super) const NOWHERE: Along = Along {
+pub(super) const NOWHERE: SlidingSphere = SlidingSphere {
     u: 1e9,
     w: 1e9,
     t: 1e9,
@@ -35,7 +35,7 @@ struct Axes {
 
 /// A sphere in these axes, relative to a dart; `t` is along `n`.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Along {
+pub(super) struct SlidingSphere {
     pub u: f64,
     pub w: f64,
     pub t: f64,
@@ -45,7 +45,7 @@ pub(super) struct Along {
 /// A sphere that the body may meet.
 #[derive(Clone, Copy)]
 pub(super) struct Met {
-    pub sphere: Along,
+    pub sphere: SlidingSphere,
     /// The R of the smaller of both bodies.
     pub unit: f64,
     /// The rounding error of squared lengths beside the sphere.
@@ -74,7 +74,7 @@ pub(super) struct SlidingLine {
     at: DVec3,
     range: (f64, f64),
     /// The sphere at the body's origin, which no turn moves; of radius 0 if there is none.
-    core: Along,
+    core: SlidingSphere,
     /// The greatest distance of the body's spheres from its origin.
     pub bound: f64,
     /// The settled spheres near the line, the most important ones first.
@@ -94,8 +94,8 @@ impl Axes {
         }
     }
 
-    fn along(&self, p: DVec3, radius: f64) -> Along {
-        Along {
+    fn along(&self, p: DVec3, radius: f64) -> SlidingSphere {
+        SlidingSphere {
             u: p.dot(self.u),
             w: p.dot(self.w),
             t: p.dot(self.n),
@@ -104,7 +104,7 @@ impl Axes {
     }
 }
 
-impl Along {
+impl SlidingSphere {
     /// The square of the distance from the line.
     pub fn off(&self) -> f64 {
         self.u * self.u + self.w * self.w
@@ -184,9 +184,9 @@ impl SlidingLine {
         (radius, core, bound): (f64, f64, f64),
         settled: &[Neighbour],
     ) -> Self {
-        let core = Along {
+        let core = SlidingSphere {
             radius: core,
-            ..Along::default()
+            ..SlidingSphere::default()
         };
         let mut line = Self {
             axes: Axes::of(body.normal),
@@ -206,7 +206,7 @@ impl SlidingLine {
     }
 
     /// A sphere in the line's axes; `p` is its centre relative to the dart.
-    pub fn along(&self, p: DVec3, radius: f64) -> Along {
+    pub fn along(&self, p: DVec3, radius: f64) -> SlidingSphere {
         self.axes.along(p, radius)
     }
 
@@ -256,7 +256,7 @@ impl SlidingLine {
     }
 
     /// The rounding error of squared lengths beside a sphere; `None` if the body cannot meet the sphere.
-    fn slack_near(&self, there: &Along) -> Option<f64> {
+    fn slack_near(&self, there: &SlidingSphere) -> Option<f64> {
         let (lo, hi) = self.range;
         let reach = self.bound + there.radius;
         let size = reach + greater(-lo, hi);

@@ -1,5 +1,5 @@
 use super::fixture::{self, PARAMS, count, deepest_overlap, pierced};
-use super::{Body, Fate, Kind, Method, Reading, RefineParams, Refining, Turn, Wall};
+use super::{Body, CostScope, Fate, Kind, Method, RefineParams, Refining, Turn, Wall};
 use crate::trimesh::TriMesh;
 use glam::DVec3;
 
@@ -73,7 +73,7 @@ fn any_slices_give_the_same_bits() {
         Method::Exact,
         Method::Golden {
             iterations: 15,
-            reading: Reading::Nearest,
+            scope: CostScope::Nearest,
         },
     ] {
         let params = RefineParams {
@@ -165,16 +165,13 @@ fn the_exact_solver_keeps_no_fewer_than_golden_section() {
             )
         };
         let exact = kept(Method::Exact);
-        for reading in [Reading::Nearest, Reading::All] {
+        for scope in [CostScope::Nearest, CostScope::All] {
             let iterations = 15;
-            let golden = kept(Method::Golden {
-                iterations,
-                reading,
-            });
-            println!("{reading:?}: {golden} of {exact}");
+            let golden = kept(Method::Golden { iterations, scope });
+            println!("{scope:?}: {golden} of {exact}");
             assert!(
                 5 * golden > exact && golden <= exact,
-                "{reading:?}: {golden} of {exact}"
+                "{scope:?}: {golden} of {exact}"
             );
         }
     }
@@ -186,7 +183,7 @@ fn golden_section_keeps_what_eq_3_allows() {
     let kinds = vec![fixture::rod()];
     let method = Method::Golden {
         iterations: 15,
-        reading: Reading::Nearest,
+        scope: CostScope::Nearest,
     };
     let pile = fixture::pile(
         &mesh,

@@ -17,7 +17,7 @@ pub fn beta(n: usize) -> f64 {
 
 /// The matrix of one step, row by row: the old vertices first, then one for each edge in the order of their ends.
 #[derive(Debug)]
-pub(super) struct Step {
+pub(super) struct SubdivisionMatrix {
     /// For each vertex its neighbours in rising order, each with whether it is on the boundary.
     spokes: Csr<(u32, bool)>,
     vertices: usize,
@@ -25,7 +25,7 @@ pub(super) struct Step {
     share: fn(usize, usize) -> f64,
 }
 
-impl Step {
+impl SubdivisionMatrix {
     /// Loop's step, which halves all edges.
     pub fn halving(vertices: usize, edges: Vec<Edge>) -> Self {
         Self {

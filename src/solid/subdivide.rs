@@ -8,7 +8,7 @@
 //! see [`Stencil`].
 
 use super::edges::{Edges, split};
-use super::loop_step::Step;
+use super::loop_step::SubdivisionMatrix;
 use super::sparse::{Matrix, Product};
 use glam::Vec3;
 use std::rc::Rc;
@@ -138,7 +138,7 @@ pub(super) struct StencilBuilder {
     limit: bool,
     /// The edges of the current step.
     edges: Option<Edges>,
-    product: Option<(Step, Product)>,
+    product: Option<(SubdivisionMatrix, Product)>,
 }
 
 impl StencilBuilder {
@@ -183,17 +183,17 @@ impl StencilBuilder {
     }
 
     /// The next step, on the mesh with these edges.
-    fn step(&mut self, edges: Edges) -> Step {
+    fn step(&mut self, edges: Edges) -> SubdivisionMatrix {
         let count = self.rows.len();
         if self.levels == 0 {
             self.limit = false;
-            return Step::to_limit(count, &edges.list);
+            return SubdivisionMatrix::to_limit(count, &edges.list);
         }
         self.parents.extend(edges.list.iter().map(|edge| edge.ends));
         self.ends.push(self.parents.len());
         self.triangles = split(count, &self.triangles, &edges);
         self.levels -= 1;
-        Step::halving(count, edges.list)
+        SubdivisionMatrix::halving(count, edges.list)
     }
 
     /// The finished stencil.

@@ -83,7 +83,7 @@ impl SurfaceMetrics {
             .sqrt();
         let (holes, overlaps) = cover(mesh, made);
         let quads = made.elements.iter().filter(|f| f.nodes().len() == 4);
-        let sides = Sides::new(made);
+        let sides = ElementSides::new(made);
         Self {
             cells: made.cells.len(),
             rings: made.rings.iter().filter(|r| !r.is_empty()).count(),
@@ -134,7 +134,7 @@ fn faced(centre: &SurfacePoint, corner: &SurfacePoint) -> DVec3 {
 }
 
 /// The sides of all elements.
-struct Sides {
+struct ElementSides {
     /// The number of sides at each node, and whether the node lies on the border.
     valence: Vec<u32>,
     is_border: Vec<bool>,
@@ -142,7 +142,7 @@ struct Sides {
     doubled: usize,
 }
 
-impl Sides {
+impl ElementSides {
     fn new(made: &SurfaceMesh) -> Self {
         let mut sides: Vec<(u64, bool)> = Vec::new();
         for face in &made.elements {

@@ -7,14 +7,14 @@ use glam::{DVec2, DVec3};
 
 /// Fields of cells with one size and aspect ratio, along an axis in space.
 #[derive(Clone, Copy)]
-pub(crate) struct Along {
+pub(crate) struct AxisFields {
     pub kind: CellKind,
     pub size: f64,
     pub axis: DVec3,
     pub aspect: f64,
 }
 
-impl CellFields for Along {
+impl CellFields for AxisFields {
     type Place = SurfacePoint;
 
     fn kind(self, _: SurfacePoint) -> CellKind {

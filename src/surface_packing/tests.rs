@@ -1,4 +1,4 @@
-use super::fixture::Along;
+use super::fixture::AxisFields;
 use super::*;
 use crate::field::CellKind;
 use crate::packing::Integrator;
@@ -27,7 +27,7 @@ fn sheet([n, m]: [usize; 2], closed: [bool; 2], at: impl Fn(f64, f64) -> DVec3) 
     TriMesh::new(positions, triangles).unwrap()
 }
 
-fn run(mesh: TriMesh, fields: Along) -> (PackingMesh, SurfacePacking) {
+fn run(mesh: TriMesh, fields: AxisFields) -> (PackingMesh, SurfacePacking) {
     let site = PackingMesh::new(mesh, fields.size * fields.aspect.sqrt());
     let mut placing = SurfacePlacing::new(&site, fields, PackingParams::DEFAULT);
     while !placing.advance(&site, fields) {}
@@ -51,7 +51,7 @@ fn steps_are_the_same_in_whatever_portions() {
         (CellKind::Square, Integrator::SemiImplicit),
         (CellKind::Circle, Integrator::RungeKutta),
     ] {
-        let fields = Along {
+        let fields = AxisFields {
             kind,
             size: 9.0,
             axis: DVec3::X,
@@ -93,7 +93,7 @@ fn steps_are_the_same_in_whatever_portions() {
 
 #[test]
 fn a_flat_square_takes_rows_and_columns() {
-    let fields = Along {
+    let fields = AxisFields {
         kind: CellKind::Square,
         size: 10.0,
         axis: DVec3::X,
@@ -120,7 +120,7 @@ fn a_torus_is_filled_with_as_many_cells_as_fit() {
     };
     for kind in [CellKind::Square, CellKind::Circle] {
         let size = 0.3;
-        let fields = Along {
+        let fields = AxisFields {
             kind,
             size,
             axis: DVec3::Y,
@@ -143,7 +143,7 @@ fn a_strip_narrower_than_a_cell_has_one_row() {
     let strip = sheet([60, 4], [false; 2], |u, v| {
         DVec3::new(60.0 * u, 0.0, -6.0 * v)
     });
-    let fields = Along {
+    let fields = AxisFields {
         kind: CellKind::Square,
         size: 10.0,
         axis: DVec3::X,

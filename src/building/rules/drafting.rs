@@ -2,7 +2,7 @@
 
 use crate::building::draft::{Draft, DraftArc, DraftFace, ExtraMesh};
 use crate::building::facets;
-use crate::building::surface::Surface;
+use crate::building::surface::FaceSurface;
 use crate::trimesh::polygon;
 use glam::DVec3;
 
@@ -55,7 +55,7 @@ impl Drafting {
     }
 
     /// Adds a face.
-    pub fn face(&mut self, labels: &[&str], surface: Surface, loops: &[Vec<DVec3>]) {
+    pub fn face(&mut self, labels: &[&str], surface: FaceSurface, loops: &[Vec<DVec3>]) {
         let loops = self.loops(loops);
         self.draft.faces.push(DraftFace {
             labels: labels.iter().map(|&label| label.to_owned()).collect(),
@@ -122,7 +122,7 @@ impl Drafting {
 
 /// The plane of a loop as a surface. On a vertical plane t is the height; on a sloping one t grows upwards; on a level
 /// one s runs along the longest side. s is 0 where it is least on the loop, and so is t unless the plane is vertical.
-pub(in crate::building) fn flat_surface(ring: &[DVec3]) -> Surface {
+pub(in crate::building) fn flat_surface(ring: &[DVec3]) -> FaceSurface {
     let normal = polygon::across(ring).normalize_or_zero();
     let up = DVec3::Y - normal * normal.y;
     let t = match normal.y.abs() > VERTICAL {
@@ -138,7 +138,7 @@ pub(in crate::building) fn flat_surface(ring: &[DVec3]) -> Surface {
     };
     let start = if normal.y.abs() < SAME { 0.0 } else { least(t) };
     let origin = s * least(s) + t * start + normal * ring[0].dot(normal);
-    Surface::flat(origin, s, t)
+    FaceSurface::flat(origin, s, t)
 }
 
 /// The direction of the longest side. Keep the first of two that are equal within a hundredth of a millimetre.

@@ -8,7 +8,7 @@ use crate::building::facets;
 use crate::building::labels::{ARCH, DOOR, GLASS, SILL, WINDOW};
 use crate::building::path::Path;
 use crate::building::piece::{Arc, Piece};
-use crate::building::surface::{Surface, Sweep};
+use crate::building::surface::{FaceSurface, Sweep};
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
 
@@ -139,7 +139,7 @@ impl Reveal {
         let bow = self.bow(plane);
         let through = |pieces: Vec<Piece>| {
             let sweep = Sweep::new(Path::new(pieces), -plane.normal);
-            Surface::Sweep(sweep)
+            FaceSurface::Sweep(sweep)
         };
         let line = |from, to| Piece::Line { from, to };
         if let (OpeningHead::Round, Some(bow)) = (self.head, bow) {

@@ -8,7 +8,7 @@ use crate::building::draft::Draft;
 use crate::building::labels::{SILL, WINDOW};
 use crate::building::path::Path;
 use crate::building::piece::{Arc, Piece};
-use crate::building::surface::{Disk, Surface, Sweep};
+use crate::building::surface::{Disk, FaceSurface, Sweep};
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
@@ -108,7 +108,7 @@ impl Tower {
         let start = at(radius, 0.0, 0.0);
         let arc = Arc::about(DVec3::ZERO, DVec3::Y, start, turn);
         let sweep = Sweep::new(Path::new(vec![Piece::Arc(arc)]), DVec3::Y);
-        to.face(&[], Surface::Sweep(sweep), &loops);
+        to.face(&[], FaceSurface::Sweep(sweep), &loops);
     }
 
     /// The ring at the top or at the bottom.
@@ -119,7 +119,7 @@ impl Tower {
             loops.iter_mut().for_each(|ring| ring.reverse());
         }
         let disk = Disk::new(DVec3::Y * y, normal, DVec3::X, self.radii[0], [0.0, TAU]);
-        to.face(&[], Surface::Disk(disk), &loops);
+        to.face(&[], FaceSurface::Disk(disk), &loops);
     }
 
     /// The four faces of a window, and its flat pane with a frame.
@@ -154,7 +154,7 @@ impl Tower {
             }
             let zero = at(1.0, zero, 0.0);
             let disk = Disk::new(DVec3::Y * y, normal, zero, outer, [0.0, turn]);
-            to.face(labels, Surface::Disk(disk), &[ring]);
+            to.face(labels, FaceSurface::Disk(disk), &[ring]);
         }
         for (angle, sign) in [(left, 1.0), (right, -1.0)] {
             let corners = [(outer, low), (inner, low), (inner, high), (outer, high)];

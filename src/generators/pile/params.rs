@@ -9,7 +9,7 @@ use crate::generators::rows::numbered::numbers_of;
 use crate::generators::rows::shared;
 use crate::generators::scene_picture::{AskedFile, StillParams};
 use crate::material::Gloss;
-use crate::pile::{Method, Order, Reading, RefineParams, Turn};
+use crate::pile::{CostScope, Method, RefineParams, SettlingOrder, Turn};
 use crate::pile_shape::PileShape;
 use crate::recipe::{Key, Recipe};
 use crate::shapes::Shape;
@@ -259,17 +259,17 @@ fn refine(recipe: &Recipe) -> RefineParams {
         offset: recipe.number(keys::OFFSET),
         removal: recipe.number(keys::REMOVAL),
         order: match recipe.choice(keys::ORDER) {
-            "scan" => Order::Scan,
-            _ => Order::Random,
+            "scan" => SettlingOrder::Scan,
+            _ => SettlingOrder::Random,
         },
         is_large_first: recipe.choice(keys::FIRST) == "large",
         retries: recipe.number(keys::RETRIES) as u32,
         method: match recipe.choice(keys::REFINE) {
             "golden" => Method::Golden {
                 iterations: recipe.number(keys::ITERATIONS) as u32,
-                reading: match recipe.choice(keys::READING) {
-                    "all" => Reading::All,
-                    _ => Reading::Nearest,
+                scope: match recipe.choice(keys::READING) {
+                    "all" => CostScope::All,
+                    _ => CostScope::Nearest,
                 },
             },
             _ => Method::Exact,

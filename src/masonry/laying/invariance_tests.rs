@@ -3,7 +3,7 @@
 use super::site::PIXELS;
 use super::tests::{BRICKS, TREES, begun, draft, laid};
 use super::{CellSort, Laying, Measures};
-use crate::building::{Arc, Draft, FaceId, Module, Path, Piece, Rule, Surface, Sweep, labels};
+use crate::building::{Arc, Draft, FaceId, FaceSurface, Module, Path, Piece, Rule, Sweep, labels};
 use crate::masonry::tree::PatternGenerator;
 use glam::DVec3;
 
@@ -49,9 +49,9 @@ fn mapped(draft: &Draft, map: impl Fn(DVec3) -> DVec3) -> Draft {
         if is_mirror {
             face.loops.iter_mut().for_each(|ring| ring.reverse());
         }
-        if let Some(Surface::Sweep(sweep)) = &face.surface {
+        if let Some(FaceSurface::Sweep(sweep)) = &face.surface {
             let pieces = sweep.profile().pieces().iter().map(piece).collect();
-            face.surface = Some(Surface::Sweep(Sweep::new(
+            face.surface = Some(FaceSurface::Sweep(Sweep::new(
                 Path::new(pieces),
                 map(sweep.direction()),
             )));

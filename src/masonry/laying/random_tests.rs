@@ -3,7 +3,7 @@
 //! To run more of them: `BUBBLESTONE_RECIPES=1000 cargo test --lib random_buildings`.
 
 use super::{Laying, LayingParams, Measures};
-use crate::building::{Building, Draft, DraftFace, Module, Surface};
+use crate::building::{Building, Draft, DraftFace, FaceSurface, Module};
 use crate::masonry::plan::{PlanWarning, is_wall, thicknesses};
 use crate::masonry::tree::PRESETS;
 use crate::random::{Purpose, Random};
@@ -73,7 +73,7 @@ fn face(draft: &mut Draft, label: &str, normal: DVec3, loops: &[Vec<DVec3>]) {
             .map(|&label| label.to_owned())
             .collect(),
         loops: loops.collect(),
-        surface: Some(Surface::flat(
+        surface: Some(FaceSurface::flat(
             first - DVec3::Y * first.y * (1.0 - normal.y.abs()),
             s,
             t,

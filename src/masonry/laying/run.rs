@@ -1,7 +1,7 @@
 //! Runs: upright or level pieces of convex edges, along which cells are laid. Level pieces may be arcs.
 
 use super::site::{Site, meet};
-use crate::building::{Bend, EdgeId, FaceId, Piece, Stance, Surface};
+use crate::building::{Bend, EdgeId, FaceId, FaceSurface, Piece, Stance};
 use crate::masonry::block::Polyhedron;
 use crate::masonry::footprint::Footprint;
 use crate::masonry::plan::{FaceGrid, divided, is_wall, pieces};
@@ -151,7 +151,7 @@ impl Site {
         let end = middle + way * (0.5 * (ends[1] - ends[0]));
         let bent = (surface.project(path.point(ends[1])).truncate()).distance(end);
         // Cells along the tangent of a flat face's round outline would lie outside of it: faces meet at a mitre there.
-        let is_plane = matches!(surface, Surface::Sweep(_)) && surface.is_flat();
+        let is_plane = matches!(surface, FaceSurface::Sweep(_)) && surface.is_flat();
         if is_plane && bent > BENT * self.plan.module.half {
             return None;
         }

@@ -2,7 +2,7 @@
 
 use super::lines::{divided, merged, pieces};
 use super::parity::Columns;
-use crate::building::{Building, Edge, EdgeId, Face, FaceId, Module, Piece, Stance, Surface};
+use crate::building::{Building, Edge, EdgeId, Face, FaceId, FaceSurface, Module, Piece, Stance};
 
 use crate::masonry::region::Region;
 use glam::{DVec2, DVec3};
@@ -99,8 +99,10 @@ impl FaceGrid {
 /// Whether a face is a wall: its t is the height above a level.
 pub fn is_wall(face: &Face) -> bool {
     match &face.surface {
-        Surface::Sweep(sweep) => face.stance() == Stance::Upright && sweep.direction().y > UPRIGHT,
-        Surface::Disk(_) => false,
+        FaceSurface::Sweep(sweep) => {
+            face.stance() == Stance::Upright && sweep.direction().y > UPRIGHT
+        }
+        FaceSurface::Disk(_) => false,
     }
 }
 
@@ -210,7 +212,7 @@ pub(super) fn through_rows(
     module: &Module,
 ) -> Vec<f64> {
     let mut lines = fixed.to_vec();
-    if let Surface::Sweep(sweep) = &face.surface {
+    if let FaceSurface::Sweep(sweep) = &face.surface {
         let profile = sweep.profile();
         let starts = profile.joints();
         for (piece, ends) in profile.pieces().iter().zip(starts.windows(2)) {

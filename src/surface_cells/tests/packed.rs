@@ -6,7 +6,7 @@ use crate::domain::{Domain, Outline};
 use crate::field::{CellKind, FieldBuilder, FieldParams};
 use crate::packing::{Packing, PackingParams};
 use crate::planar::unit_vector;
-use crate::surface_packing::fixture::Along;
+use crate::surface_packing::fixture::AxisFields;
 use crate::surface_packing::{PackingMesh, SurfacePlacing};
 use crate::trimesh::TriMesh;
 use crate::trimesh::refine::Refining;
@@ -127,8 +127,8 @@ fn in_plane(domain: &Domain, particles: &[crate::packing::Particle]) -> (f64, f6
 }
 
 /// Fields of cells with one size, along the upright axis.
-fn along(kind: CellKind, size: f64, aspect: f64) -> Along {
-    Along {
+fn along(kind: CellKind, size: f64, aspect: f64) -> AxisFields {
+    AxisFields {
         kind,
         size,
         axis: DVec3::Y,
@@ -161,7 +161,7 @@ fn wall(thick: f64) -> testing::Soup {
 }
 
 /// Cells at rest.
-fn packed_on(soup: testing::Soup, fields: Along) -> (PackingMesh, Vec<SurfaceParticle>) {
+fn packed_on(soup: testing::Soup, fields: AxisFields) -> (PackingMesh, Vec<SurfaceParticle>) {
     let mesh = testing::mesh(soup);
     let mesh = Refining::evenly(mesh, 0.4 * fields.size)
         .finish_all()

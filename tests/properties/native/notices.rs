@@ -4,8 +4,8 @@
 
 use super::lines::outline;
 use bubblestone::building::{
-    Arc, Draft, DraftArc, DraftFace, MOST_FACES, MOST_SIDES, Module, Path, Piece, Rule, Surface,
-    Sweep, write_json,
+    Arc, Draft, DraftArc, DraftFace, FaceSurface, MOST_FACES, MOST_SIDES, Module, Path, Piece,
+    Rule, Sweep, write_json,
 };
 use bubblestone::generators::pavement::{self, PavementRecipe};
 use bubblestone::generators::{ALL, GivenFile};
@@ -175,7 +175,8 @@ fn bad_arcs_and_surfaces_are_told_apart() {
     assert_eq!(twice, [Code::BuildingArcTwice]);
     let swept = |pieces: Vec<Piece>, direction: DVec3| {
         changed(Rule::Block, |draft| {
-            draft.faces[0].surface = Some(Surface::Sweep(Sweep::new(Path::new(pieces), direction)));
+            draft.faces[0].surface =
+                Some(FaceSurface::Sweep(Sweep::new(Path::new(pieces), direction)));
         })
     };
     let line = |from: f64, to: f64| Piece::Line {
@@ -204,14 +205,14 @@ fn bad_arcs_and_surfaces_are_told_apart() {
         [Code::BuildingUnbounded]
     );
     let turned = tower(|face| {
-        if let Some(Surface::Sweep(sweep)) = &face.surface
+        if let Some(FaceSurface::Sweep(sweep)) = &face.surface
             && let [Piece::Arc(arc), ..] = sweep.profile().pieces()
         {
             let arc = Piece::Arc(Arc {
                 to: arc.from + 9.0,
                 ..*arc
             });
-            face.surface = Some(Surface::Sweep(Sweep::new(
+            face.surface = Some(FaceSurface::Sweep(Sweep::new(
                 Path::new(vec![arc]),
                 sweep.direction(),
             )));
@@ -223,7 +224,7 @@ fn bad_arcs_and_surfaces_are_told_apart() {
 /// Moves a flat face's surface along its normal (metres).
 fn moved(face: &mut DraftFace, by: f64) {
     let frame = face.surface.as_ref().expect("a surface").frame(0.0, 0.0);
-    face.surface = Some(Surface::flat(
+    face.surface = Some(FaceSurface::flat(
         frame.origin + frame.normal * by,
         frame.s,
         frame.t,
@@ -260,7 +261,7 @@ fn faces_that_do_not_fit_together_are_told_apart() {
             draft.vertices.push(draft.vertices[v as usize] + DVec3::Z);
         }
         let mut face = draft.faces[0].clone();
-        face.surface = Some(Surface::flat(
+        face.surface = Some(FaceSurface::flat(
             draft.vertices[a as usize],
             DVec3::Z,
             DVec3::X,
@@ -305,7 +306,7 @@ fn what_is_odd_about_a_building_is_told() {
         for mut face in draft.faces.clone() {
             face.loops.iter_mut().flatten().for_each(|v| *v += first);
             let frame = face.surface.as_ref().expect("a surface").frame(0.0, 0.0);
-            face.surface = Some(Surface::flat(frame.origin + by, frame.s, frame.t));
+            face.surface = Some(FaceSurface::flat(frame.origin + by, frame.s, frame.t));
             draft.faces.push(face);
         }
     });

@@ -1,7 +1,7 @@
 //! Thin coloured plates on a face.
 
 use super::super::parts::add_plain;
-use crate::building::{Face, Surface as FaceSurface};
+use crate::building::{Face, FaceSurface};
 use crate::masonry::footprint::{Footprint, HalfPlane};
 use crate::masonry::plan::region;
 use crate::scene::Scene;

@@ -50,7 +50,7 @@ fn claims(laying: &Laying, id: FaceId, state: usize) -> Claims {
 /// a hatching: level for corners, rising for edges, falling for faces.
 pub(in crate::generators::masonry) fn scene(laying: &Laying, face: FaceId, state: usize) -> Scene {
     let [low, high] = laying.building().face(face).bounds();
-    let board = Board::new(low, high);
+    let board = MapPlane::new(low, high);
     let (_, runs) = runs(laying, face, &claims(laying, face, state));
     let mut surface = Surface::default();
     let mut lines = Vec::new();
@@ -77,14 +77,14 @@ pub(in crate::generators::masonry) fn scene(laying: &Laying, face: FaceId, state
 }
 
 /// A flat board that faces the viewer, with the middle of a map at the origin and its corners at distance 1.
-struct Board {
+struct MapPlane {
     middle: DVec2,
     scale: f64,
     right: Vec3,
     up: Vec3,
 }
 
-impl Board {
+impl MapPlane {
     fn new(low: DVec2, high: DVec2) -> Self {
         let (angle, height) = VIEWER;
         let camera = Camera {
