@@ -133,7 +133,7 @@ pub(super) fn block() -> Shell {
         -1.0, -0.97, -0.93, -0.89, -0.66, -0.44, -0.22, 0.22, 0.44, 0.66, 0.89, 0.93, 0.97, 1.0,
     ];
     Shell::cube(&CUTS, |p| {
-        // The flat of a face ends at 0.89; beyond it, the place on the edge is an angle.
+        // A face is flat up to 0.89. Beyond that, the number is the share of a quarter circle along the rounded edge.
         let core = BLOCK - DVec3::splat(ROUND);
         let flat = p.clamp(DVec3::splat(-0.89), DVec3::splat(0.89)) / 0.89;
         let over = (p.abs() - DVec3::splat(0.89)) / 0.11;

@@ -81,7 +81,7 @@ pub(super) struct Glb {
     materials: String,
     #[cfg(house)]
     materials_made: usize,
-    /// The place of the first node.
+    /// The transformation of the root node.
     #[cfg(house)]
     root: Place,
     meshes: String,

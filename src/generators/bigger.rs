@@ -273,7 +273,7 @@ impl Bigger {
         self.rows.iter().map(|map| map.bytes.len()).sum()
     }
 
-    /// The rows that have been made and not handed out yet.
+    /// Hands out the rows made since the last call.
     pub fn take(&mut self) -> Vec<Map> {
         let taken = |map: &mut Map| Map {
             bytes: std::mem::take(&mut map.bytes),

@@ -42,7 +42,7 @@ pub struct Bed {
     tiles: [NoiseTile; 2],
     /// The pebble at each of the [`PLACES`], if any.
     pebbles: Vec<Option<Pebble>>,
-    /// The rows of the tile that are kept: the first, and their number.
+    /// The first row of the tile that is kept, and the number of rows kept.
     first: usize,
     held: usize,
     /// Heights of these rows above the base level, in picture units.

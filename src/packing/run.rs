@@ -176,7 +176,7 @@ impl<P: Copy> Run<P> {
         step.saturating_sub(G::TUNING.cooling_from)
     }
 
-    /// The rule of the coming step.
+    /// The rule for the next step.
     fn rule<G: PackingDomain<Place = P>>(&self) -> StepRule {
         let rule = StepRule::new(&self.params);
         let (late, cooling) = (Self::late::<G>(self.report.step + 1), rule.cooling());

@@ -17,7 +17,7 @@ const SECTION: f64 = 0.618_033_988_749_894_9;
 pub enum CostScope {
     /// The one that is nearest to the dart (section 3, step 2).
     Nearest,
-    /// All that the body may meet.
+    /// All settled bodies that the new one may touch.
     All,
 }
 

@@ -183,8 +183,8 @@ impl Canal {
         }
     }
 
-    /// The distance to the surface, negative inside. At the foot the distance is stationary, so the gradient needs
-    /// only the distance to a fixed ball.
+    /// The distance to the surface, negative inside. The nearest ball minimises the distance among all balls along the
+    /// curve. So the gradient is that of the distance to this one ball, which need not move with the point.
     pub fn at(&self, p: &JetPoint) -> Jet {
         let foot = self.foot(p.place());
         p.distance(foot.middle) - foot.radius

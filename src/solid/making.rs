@@ -52,7 +52,7 @@ pub enum Making {
     Control,
     /// This number of Loop steps, 1 or more.
     Loop(u32),
-    /// The fractal noise (Fd, Af): on skin itself; for stones on its own.
+    /// The fractal noise (Fd, Af). A scale of skin is shown with it; for other stones it is a sheet, shown alone.
     Noise,
     /// The noise within the mask: where the stone is visible in the planes.
     Mask,

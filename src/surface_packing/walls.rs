@@ -182,7 +182,7 @@ impl SurfaceWalls {
             && at.distance(around.middle) <= around.reach
     }
 
-    /// The segments of the list of the triangle at `p` that may have a foot within `reach`, in order.
+    /// The segments listed at the triangle of `p` that may have a point within `reach` of `p`, by rising numbers.
     fn listed_near(&self, p: &SurfacePoint, reach: f64) -> Vec<u32> {
         let around = Around::of(&self.mesh, p.triangle, self.reach);
         // Look a little farther, so that rounding leaves out no foot.

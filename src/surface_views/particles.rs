@@ -18,7 +18,7 @@ const LONGEST: f64 = 5.0;
 const STEPS: u32 = 24;
 /// The factor on the drawn size, so that neighbours at rest can be told apart.
 const SHRUNK: f64 = 0.975;
-/// In half widths of a bubble: its height, its depth below the surface, and the radius of its corners.
+/// A bubble's height, its depth below the surface, and the radius of its corners, in half widths.
 const HIGH: f64 = 0.58;
 const DEEP: f64 = 0.34;
 const ROUND: f64 = 0.36;

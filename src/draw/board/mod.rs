@@ -230,8 +230,8 @@ fn mixed(a: u8, b: u8, share: u32) -> u32 {
     u32::from(a) * (256 - share) + u32::from(b) * share
 }
 
-/// Along an axis with `side` pixels, each divided into `by` finer ones: the two pixels whose middles lie around that of
-/// the finer pixel `k`, and the share of the second of them in its colour, in 256ths.
+/// Interpolates along an axis whose `side` pixels are each divided into `by` finer ones. Returns the two pixels between
+/// whose middles the finer pixel `k` lies, and the weight of the second, in 256ths.
 fn around(k: usize, by: usize, side: usize) -> ([usize; 2], u32) {
     let middle = 2 * k + 1 + by;
     let (second, share) = (middle / (2 * by), middle % (2 * by));

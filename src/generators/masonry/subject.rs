@@ -23,7 +23,7 @@ pub(crate) struct WallMaking {
 pub(crate) enum WallSubject {
     /// The finished blocks.
     Blocks(Rc<Scene>),
-    /// Blocks that are being laid, and how often work on the blocks, and on the ground, was begun.
+    /// Blocks that are being laid. The two counts tell how often the work on the blocks and on the ground has begun.
     Laying(Box<WallScene>, [u64; 2]),
     /// A diagram.
     Diagram(Diagram),

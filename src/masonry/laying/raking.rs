@@ -21,8 +21,8 @@ struct Slope {
 }
 
 impl Site {
-    /// Lays bricks on edge along an edge that slopes, on its wall; the ends of a roof are no walls. Bricks are a course
-    /// wide and half a brick long. Where two slopes meet, they end half-way between them.
+    /// Lays a row of bricks on edge on a wall, along an edge that slopes. The end faces of a roof are not walls. Each
+    /// brick is a course wide and half a brick long. Where two slopes meet, the rows end half-way between them.
     pub fn raking_bricks(&mut self, id: EdgeId, node: &GeneratorNode) {
         let walls = self.edge(id).faces.into_iter().flatten();
         let is_own = |face: &FaceId| {

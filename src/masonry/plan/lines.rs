@@ -8,7 +8,7 @@ use crate::order;
 
 /// Lines nearer to each other than this count as one (metres).
 const WELD: f64 = 1e-4;
-/// Slack for rounding, in pieces: noise does not change how many pieces an interval has.
+/// Added to numbers of pieces before they are rounded, so that rounding errors never change the count.
 const EPSILON: f64 = 1e-6;
 /// Two lines nearer than this share of a course are too near.
 const NEAR: f64 = 0.3;

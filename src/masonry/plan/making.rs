@@ -14,7 +14,7 @@ use crate::masonry::module;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Ratios of columns and modules beyond this give a warning.
+/// The width of columns, over that of their modules, gives a warning outside this range.
 const RATIOS: std::ops::RangeInclusive<f64> = 0.8..=1.25;
 /// Faces or edges in a slice of the work.
 const SLICE: usize = 64;

@@ -8,7 +8,7 @@
 use super::{MeasuredPart, Preset, Timing};
 use crate::generators::pavement::stage;
 
-/// The seconds of Table 2.
+/// The times of a skin in the paper's Table 2, in seconds.
 const fn timing(tessellation: f64, skin: f64) -> Option<Timing> {
     let (first, rest) = stage::WORDS.split_at(5);
     Some(Timing {
