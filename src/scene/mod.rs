@@ -37,6 +37,7 @@ mod shadow;
 mod soft_light;
 mod surfel;
 mod tile;
+mod tile_light;
 mod visibility;
 
 pub use backdrop::Backdrop;

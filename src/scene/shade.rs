@@ -2,14 +2,13 @@
 
 use super::backdrop::{behind, dithered, end_of_floor, floor_part, left_of_corner};
 use super::floor::FloorPlane;
-use super::four_lanes::{FourVectors, four};
-use super::four_pixels::LANES;
 use super::hit::{Facets, PixelHit};
 use super::occlusion::Occlusion;
 use super::penumbra;
-use super::reflection::{FINISH, LitPoints, Reaching};
+use super::reflection::Reaching;
 use super::shadow::ShadowSample;
 use super::tile::{BAND, Each, NO_VECTORS, SQUARE, Tile, Vectors, get, set, units};
+use super::tile_light::TileSurfels;
 use super::visibility::{FLOOR, NOTHING, VisibilityBuffer};
 use super::{Backdrop, Lighting, Scene, Surfel, View};
 use crate::order::lesser;
@@ -238,46 +237,6 @@ struct TileNormals {
     flats: Vectors,
     /// See [`PixelHit::lift`].
     lifts: Each,
-}
-
-/// The surface elements of a tile's pixels, by components.
-struct TileSurfels {
-    normals: Vectors,
-    /// The normals before details were added.
-    smooth: Vectors,
-    colours: Vectors,
-    /// The numbers of [`Reaching`], in its order.
-    reaching: Vectors,
-    finishes: [Each; FINISH],
-}
-
-impl TileSurfels {
-    const NOTHING: Self = Self {
-        normals: NO_VECTORS,
-        smooth: NO_VECTORS,
-        colours: NO_VECTORS,
-        reaching: NO_VECTORS,
-        finishes: [[0.0; SQUARE]; FINISH],
-    };
-
-    /// The light reflected to the eye, four pixels at once. `ways` are the directions from the eye.
-    #[inline(always)]
-    fn reflected(&self, light: &Lighting, points: &Vectors, ways: &Vectors) -> Vectors {
-        let mut lights = NO_VECTORS;
-        for k in (0..SQUARE).step_by(LANES) {
-            let reflected = light.reflected(&LitPoints {
-                positions: FourVectors::of(points, k),
-                normals: FourVectors::of(&self.normals, k),
-                smooth: FourVectors::of(&self.smooth, k),
-                to_eye: -FourVectors::of(ways, k),
-                reaching: FourVectors::of(&self.reaching, k),
-                colours: FourVectors::of(&self.colours, k),
-                finish: self.finishes.each_ref().map(|list| four(list, k)),
-            });
-            reflected.put(&mut lights, k);
-        }
-        lights
-    }
 }
 
 /// The surface at a pixel.
