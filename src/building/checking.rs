@@ -7,7 +7,7 @@ use super::fault::{
 };
 use super::ids::FaceId;
 use super::path::Path;
-use super::piece::{Arc, Piece};
+use super::piece::{CircularArc, Piece};
 use super::surface::{Disk, FaceSurface, Sweep};
 use crate::decimal;
 use glam::DVec3;
@@ -247,7 +247,7 @@ fn path_fault(path: &Path) -> Option<SurfaceFault> {
 }
 
 /// Whether an arc runs around its circle more than once.
-fn is_over(arc: &Arc) -> bool {
+fn is_over(arc: &CircularArc) -> bool {
     (arc.to - arc.from).abs() > TAU + UNIT
 }
 

@@ -1,6 +1,6 @@
 //! Where arcs are cut into chords, so that all faces of one cylinder are cut at the same angles.
 
-use super::piece::Arc;
+use super::piece::CircularArc;
 use glam::DVec3;
 use std::f64::consts::TAU;
 
@@ -18,7 +18,7 @@ pub(super) const NEAR: f64 = 1e-4;
 ///
 /// Cuts are at whole steps from a direction that depends on the axis alone. So arcs of one circle are cut at the same
 /// places, whichever way they run and wherever they begin, and so are circles of one cylinder.
-pub(super) fn cuts(arc: &Arc) -> Vec<f64> {
+pub(super) fn cuts(arc: &CircularArc) -> Vec<f64> {
     let widest = ANGLE.min(CHORD / arc.radius).max(4.0 * NEAR / arc.radius);
     // Radii that differ by rounding must not differ in their number of steps.
     let step = TAU / (TAU / widest - 1e-6).ceil().min(MOST);
@@ -34,7 +34,7 @@ pub(super) fn cuts(arc: &Arc) -> Vec<f64> {
 
 /// The angle of an arc's start in the frame of its axis, and +1 if the arc's angles grow with those of the frame, else
 /// -1.
-fn absolute_start(arc: &Arc) -> (f64, f64) {
+fn absolute_start(arc: &CircularArc) -> (f64, f64) {
     let normal = arc.x.cross(arc.y);
     let first = normal.to_array().into_iter().find(|c| c.abs() > 1e-6);
     let sign = first.unwrap_or(1.0).signum();
@@ -67,17 +67,18 @@ mod tests {
         let zero = perpendicular(axis);
         for radius in [0.05, 0.3, 1.6, 12.0] {
             let start = centre + zero * radius;
-            let whole = Piece::Arc(Arc::about(centre, axis, start, TAU));
+            let whole = Piece::Arc(CircularArc::about(centre, axis, start, TAU));
             let all: Vec<DVec3> = match whole {
                 Piece::Arc(arc) => cuts(&arc).into_iter().map(|s| whole.point(s)).collect(),
                 Piece::Line { .. } => unreachable!(),
             };
             for (from, sweep, axis) in [(0.3, 1.0, axis), (5.0, 3.0, -axis), (-2.0, 6.0, axis)] {
-                let begin = Piece::Arc(Arc::about(centre, axis, start, TAU)).point(from * radius);
-                let arc = Arc::about(centre, axis, begin, sweep);
+                let begin =
+                    Piece::Arc(CircularArc::about(centre, axis, start, TAU)).point(from * radius);
+                let arc = CircularArc::about(centre, axis, begin, sweep);
                 for arc in [
                     arc,
-                    Arc {
+                    CircularArc {
                         from: arc.to,
                         to: arc.from,
                         ..arc

@@ -3,7 +3,7 @@
 use super::facets;
 use super::fault::{BuildingFault, OFF_SURFACE, SurfaceFault};
 use super::ids::FaceId;
-use super::piece::{Arc, Piece};
+use super::piece::{CircularArc, Piece};
 use super::region::{self, Spot, SpotRing};
 use super::surface::{Disk, FaceSurface, Sweep};
 use super::triangles::{self, TriangleCorner};
@@ -137,9 +137,9 @@ fn bends(sweep: &Sweep) -> Vec<f64> {
 
 /// The arc lengths at which a whole circle is cut. [`facets::cuts`] leaves out the ends of an arc, so a cut at the
 /// start is found a whole turn later.
-fn bends_around(arc: &Arc, period: f64) -> Vec<f64> {
+fn bends_around(arc: &CircularArc, period: f64) -> Vec<f64> {
     let more = 0.5 * arc.sense();
-    let longer = facets::cuts(&Arc {
+    let longer = facets::cuts(&CircularArc {
         to: arc.to + more,
         ..*arc
     });

@@ -3,7 +3,7 @@
 use super::draft::{Draft, DraftArc, DraftFace, ExtraMesh};
 use super::fault::BuildingFault;
 use super::path::Path;
-use super::piece::{Arc, Piece};
+use super::piece::{CircularArc, Piece};
 use super::surface::{Disk, FaceSurface, Sweep};
 use glam::DVec3;
 use serde_json::Value;
@@ -233,7 +233,7 @@ fn read_piece(at: &At<'_>) -> Read<Piece> {
             from: from.vector()?,
             to: to.vector()?,
         }),
-        (Some("arc"), [_, centre, radius, x, y, from, to]) => Ok(Piece::Arc(Arc {
+        (Some("arc"), [_, centre, radius, x, y, from, to]) => Ok(Piece::Arc(CircularArc {
             centre: centre.vector()?,
             radius: radius.number()?,
             x: x.vector()?,

@@ -2,7 +2,7 @@
 
 use super::ids::{CornerId, EdgeId, FaceId};
 use super::path::Path;
-use super::piece::{Arc, Piece};
+use super::piece::{CircularArc, Piece};
 use super::sides::{Side, SideTable};
 
 /// A turn of a chain whose cosine is less makes a corner: 28 degrees.
@@ -150,7 +150,7 @@ fn join(a: &Piece, b: &Piece) -> Option<Piece> {
                 && (first.radius - second.radius).abs() < SAME
                 && a.tangent(a.length()).distance(b.tangent(0.0)) < SAME;
             let turn = (second.to - second.from).abs() * first.sense();
-            is_same.then_some(Piece::Arc(Arc {
+            is_same.then_some(Piece::Arc(CircularArc {
                 to: first.to + turn,
                 ..*first
             }))

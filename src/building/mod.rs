@@ -68,7 +68,7 @@ pub use making::BuildingMaking;
 pub use mortar::Mortar;
 pub use parent::{Corner, Edge, EdgeEnd, EdgeUse, Face, Stance};
 pub use path::Path;
-pub use piece::{Arc, Piece};
+pub use piece::{CircularArc, Piece};
 pub use rules::{DrawnFault, DrawnPlan, Module, Rule};
 pub use surface::{Disk, FaceSurface, SurfaceFrame, Sweep};
 pub use thickness::WallThickness;

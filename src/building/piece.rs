@@ -7,7 +7,7 @@ use std::f64::consts::{PI, TAU};
 ///
 /// The point at angle a is centre + radius (cos a x + sin a y), so a positive turn goes from x to y.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Arc {
+pub struct CircularArc {
     /// The centre (metres).
     pub centre: DVec3,
     /// The radius (metres), above 0.
@@ -22,7 +22,7 @@ pub struct Arc {
     pub to: f64,
 }
 
-impl Arc {
+impl CircularArc {
     /// The arc from a point, by an angle about an axis: counter-clockwise if the axis points at the viewer.
     pub fn about(centre: DVec3, axis: DVec3, start: DVec3, angle: f64) -> Self {
         let x = start - centre;
@@ -75,7 +75,7 @@ pub enum Piece {
         to: DVec3,
     },
     /// An arc.
-    Arc(Arc),
+    Arc(CircularArc),
 }
 
 impl Piece {
@@ -123,7 +123,7 @@ impl Piece {
     pub fn reversed(&self) -> Self {
         match *self {
             Self::Line { from, to } => Self::Line { from: to, to: from },
-            Self::Arc(arc) => Self::Arc(Arc {
+            Self::Arc(arc) => Self::Arc(CircularArc {
                 from: arc.to,
                 to: arc.from,
                 ..arc

@@ -2,7 +2,7 @@
 
 use super::fault::BuildingFault;
 use super::path::Path;
-use super::piece::{Arc, Piece};
+use super::piece::{CircularArc, Piece};
 use super::polygon_sides::{PlaneRing, clash, left_of_sides, sides};
 use super::surface::{FaceSurface, Sweep};
 use crate::modelfiles::PolygonModel;
@@ -192,7 +192,7 @@ impl Bow {
             true => (start, start + sweep),
             false => (start + sweep, start),
         };
-        let arc = Arc {
+        let arc = CircularArc {
             centre: self.centre,
             radius: self.radius,
             x,

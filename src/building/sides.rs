@@ -3,7 +3,7 @@
 use super::draft::{Draft, DraftArc};
 use super::fault::{BuildingFault, BuildingWarning};
 use super::ids::FaceId;
-use super::piece::{Arc, Piece};
+use super::piece::{CircularArc, Piece};
 use crate::trimesh::spatial_hash::SurfaceHash;
 use glam::DVec3;
 use std::collections::BTreeMap;
@@ -139,11 +139,11 @@ fn piece(positions: &[DVec3], arc: Option<&(&DraftArc, u32)>, from: u32, to: u32
     };
     let axis = arc.axis.normalize();
     let [first, last] = if start == from { [a, b] } else { [b, a] };
-    let quarter = Arc::about(arc.centre, axis, first, 0.0);
+    let quarter = CircularArc::about(arc.centre, axis, first, 0.0);
     let d = last - arc.centre;
     let angle = libm::atan2(d.dot(quarter.y), d.dot(quarter.x));
     let angle = if angle <= 0.0 { angle + TAU } else { angle };
-    let whole = Piece::Arc(Arc::about(arc.centre, axis, first, angle));
+    let whole = Piece::Arc(CircularArc::about(arc.centre, axis, first, angle));
     match start == from {
         true => whole,
         false => whole.reversed(),

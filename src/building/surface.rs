@@ -5,7 +5,7 @@
 //! in the wall, z is negative.
 
 use super::path::Path;
-use super::piece::{Arc, Piece};
+use super::piece::{CircularArc, Piece};
 use glam::DVec3;
 use std::f64::consts::TAU;
 
@@ -121,7 +121,7 @@ impl Sweep {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Disk {
     /// The circle at the reference radius; its y is x cross the normal.
-    rim: Arc,
+    rim: CircularArc,
     normal: DVec3,
 }
 
@@ -135,7 +135,7 @@ impl Disk {
         reference: f64,
         [from, to]: [f64; 2],
     ) -> Self {
-        let rim = Arc {
+        let rim = CircularArc {
             centre,
             radius: reference,
             x: zero,
@@ -157,7 +157,7 @@ impl Disk {
     }
 
     /// The circle at the reference radius, with the angles of the sector.
-    pub fn rim(&self) -> &Arc {
+    pub fn rim(&self) -> &CircularArc {
         &self.rim
     }
 

@@ -292,7 +292,7 @@ pub(super) fn mapped(draft: &Draft, map: impl Fn(DVec3) -> DVec3, mirrors: bool)
                         from: map(from),
                         to: map(to),
                     },
-                    Piece::Arc(arc) => Piece::Arc(Arc {
+                    Piece::Arc(arc) => Piece::Arc(CircularArc {
                         centre: map(arc.centre),
                         x: map(arc.x),
                         y: map(arc.y),

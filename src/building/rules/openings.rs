@@ -7,7 +7,7 @@ use super::wall_plane::WallPlane;
 use crate::building::facets;
 use crate::building::labels::{ARCH, DOOR, GLASS, SILL, WINDOW};
 use crate::building::path::Path;
-use crate::building::piece::{Arc, Piece};
+use crate::building::piece::{CircularArc, Piece};
 use crate::building::surface::{FaceSurface, Sweep};
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
@@ -167,7 +167,7 @@ impl Reveal {
             _ => 2.0 * libm::atan2(0.5 * span.x, d.y),
         };
         let start = plane.at(self.corners[2], 0.0);
-        let arc = Arc::about(plane.at(centre, 0.0), plane.normal, start, angle);
+        let arc = CircularArc::about(plane.at(centre, 0.0), plane.normal, start, angle);
         Some(Piece::Arc(arc))
     }
 

@@ -7,7 +7,7 @@ use super::wall_plane::WallPlane;
 use crate::building::draft::Draft;
 use crate::building::labels::{SILL, WINDOW};
 use crate::building::path::Path;
-use crate::building::piece::{Arc, Piece};
+use crate::building::piece::{CircularArc, Piece};
 use crate::building::surface::{Disk, FaceSurface, Sweep};
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
@@ -106,7 +106,7 @@ impl Tower {
             loops.iter_mut().for_each(|ring| ring.reverse());
         }
         let start = at(radius, 0.0, 0.0);
-        let arc = Arc::about(DVec3::ZERO, DVec3::Y, start, turn);
+        let arc = CircularArc::about(DVec3::ZERO, DVec3::Y, start, turn);
         let sweep = Sweep::new(Path::new(vec![Piece::Arc(arc)]), DVec3::Y);
         to.face(&[], FaceSurface::Sweep(sweep), &loops);
     }

@@ -3,7 +3,9 @@
 use super::site::PIXELS;
 use super::tests::{BRICKS, TREES, begun, draft, laid};
 use super::{CellSort, Laying, Measures};
-use crate::building::{Arc, Draft, FaceId, FaceSurface, Module, Path, Piece, Rule, Sweep, labels};
+use crate::building::{
+    CircularArc, Draft, FaceId, FaceSurface, Module, Path, Piece, Rule, Sweep, labels,
+};
 use crate::masonry::tree::PatternGenerator;
 use glam::DVec3;
 
@@ -32,7 +34,7 @@ fn mapped(draft: &Draft, map: impl Fn(DVec3) -> DVec3) -> Draft {
             from: map(from),
             to: map(to),
         },
-        Piece::Arc(arc) => Piece::Arc(Arc {
+        Piece::Arc(arc) => Piece::Arc(CircularArc {
             centre: map(arc.centre),
             x: map(arc.x),
             y: map(arc.y),

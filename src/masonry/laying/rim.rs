@@ -3,7 +3,7 @@
 
 use super::run::{NEAR, Run};
 use super::site::Site;
-use crate::building::{Arc, Bend, Edge, EdgeId, FaceId, Piece};
+use crate::building::{Bend, CircularArc, Edge, EdgeId, FaceId, Piece};
 use crate::masonry::footprint::Footprint;
 use crate::masonry::plan::{is_wall, pieces};
 use glam::{DVec2, DVec3};
@@ -162,7 +162,7 @@ impl Site {
     }
 
     /// An arc of an edge in the (s, t) of a flat wall; none if it does not lie in the wall.
-    fn arc(&self, wall: FaceId, arc: &Arc, edge: &Edge, start: f64) -> Option<Curve> {
+    fn arc(&self, wall: FaceId, arc: &CircularArc, edge: &Edge, start: f64) -> Option<Curve> {
         let surface = &self.face(wall).surface;
         if !surface.is_flat() {
             return None;

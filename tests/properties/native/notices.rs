@@ -4,8 +4,8 @@
 
 use super::lines::outline;
 use bubblestone::building::{
-    Arc, Draft, DraftArc, DraftFace, FaceSurface, MOST_FACES, MOST_SIDES, Module, Path, Piece,
-    Rule, Sweep, write_json,
+    CircularArc, Draft, DraftArc, DraftFace, FaceSurface, MOST_FACES, MOST_SIDES, Module, Path,
+    Piece, Rule, Sweep, write_json,
 };
 use bubblestone::generators::pavement::{self, PavementRecipe};
 use bubblestone::generators::{ALL, GivenFile};
@@ -208,7 +208,7 @@ fn bad_arcs_and_surfaces_are_told_apart() {
         if let Some(FaceSurface::Sweep(sweep)) = &face.surface
             && let [Piece::Arc(arc), ..] = sweep.profile().pieces()
         {
-            let arc = Piece::Arc(Arc {
+            let arc = Piece::Arc(CircularArc {
                 to: arc.from + 9.0,
                 ..*arc
             });
