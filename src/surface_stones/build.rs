@@ -1,6 +1,7 @@
 //! A scene of stones on a surface, in slices.
 
 use super::claws::{Claw, HORN_ROW};
+use super::fit::Fit;
 use super::ground::{Bed, GroundMaking, GroundSlice};
 use super::look::{Look, Own};
 use super::maker::Maker;
@@ -12,7 +13,7 @@ use crate::scene::{Body, Detail, Instance, Place, Scene, Surfel};
 use crate::solid::{Surface, finest};
 use crate::surface_cells::SurfaceCell;
 use crate::trimesh::TriMesh;
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 
 /// The least and the most triangles of a stone at its finest level.
 const EACH: [usize; 2] = [70, 1000];
@@ -41,43 +42,6 @@ pub struct Stones {
 /// About the number of triangles of a stone at its finest level, among this number of cells.
 pub(super) fn most_triangles(cells: usize) -> usize {
     finest(cells, EACH)
-}
-
-/// The factor on the bounding box' diagonal when it is compared with the sides: a box that is wide, deep and high
-/// fits into the picture, too.
-const DEEP: f64 = 0.78;
-
-/// The map from the model to the scene. In the scene the bounding box has its middle at the origin. Its longest side is
-/// 1, or less if its diagonal is long.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fit {
-    /// The middle of the box.
-    pub middle: DVec3,
-    /// Scene units in a unit of the model.
-    pub scale: f64,
-}
-
-impl Fit {
-    /// The map for a mesh.
-    pub fn new(mesh: &TriMesh) -> Self {
-        let (low, high) = mesh.bounds();
-        Self::of_box(low, high)
-    }
-
-    /// The map for a box, by its least and its greatest corner.
-    pub fn of_box(low: DVec3, high: DVec3) -> Self {
-        let sides = high - low;
-        let side = greater(sides.max_element(), DEEP * sides.length());
-        Self {
-            middle: (low + high) * 0.5,
-            scale: if side > 0.0 { 1.0 / side } else { 1.0 },
-        }
-    }
-
-    /// Maps a point of the model to the scene.
-    pub fn place(&self, p: DVec3) -> Vec3 {
-        ((p - self.middle) * self.scale).as_vec3()
-    }
 }
 
 impl Stones {

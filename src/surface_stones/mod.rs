@@ -8,6 +8,7 @@
 mod build;
 mod claws;
 mod coats;
+mod fit;
 #[cfg(test)]
 mod fixture;
 mod flatten;
@@ -23,9 +24,10 @@ mod template;
 #[cfg(test)]
 mod tests;
 
-pub use build::{Fit, Stones};
+pub use build::Stones;
 pub use claws::Claw;
 pub use coats::SurfaceCoats;
+pub use fit::{Fit, Rim};
 pub use flatten::UnfoldedCell;
 pub(crate) use ground::parts;
 pub use links::{links, neighbours};

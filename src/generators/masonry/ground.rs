@@ -13,13 +13,11 @@ use crate::solid::Surface;
 use glam::{DVec3, Vec2, Vec3};
 use std::f64::consts::TAU;
 
-/// The most and the least that the ground reaches beyond the building's plan (metres); it reaches least at tall
-/// buildings.
-const BEYOND: f64 = 0.55;
+/// How far the ground reaches beyond the building's plan: a part of the plan's radius, and the least and the most
+/// (metres).
+const BEYOND: f64 = 0.18;
 const LEAST_BEYOND: f64 = 0.2;
-/// The rim of the ground lies within a sphere around the building's bounding box, enlarged by this factor, so that the
-/// first camera sees the rim.
-const SEEN: f64 = 1.08;
+const MOST_BEYOND: f64 = 0.55;
 /// The thickness of the ground, and the width of its rounded rim (metres).
 const THICK: f64 = 0.16;
 const RIM: f64 = 0.05;
@@ -149,25 +147,30 @@ impl GroundWork {
     }
 }
 
-/// The outline of the ground in the building's own coordinates.
-struct Disc {
-    middle: DVec3,
-    radius: f64,
+/// The outline of the ground in the building's own coordinates (metres).
+pub(super) struct Disc {
+    pub middle: DVec3,
+    pub radius: f64,
 }
 
 impl Disc {
-    fn new(building: &Building) -> Self {
+    /// The ground of a building.
+    pub fn new(building: &Building) -> Self {
         let places = building.vertices().iter().map(|v| v.position);
         let start = [DVec3::INFINITY, DVec3::NEG_INFINITY];
         let [low, high] = places.fold(start, |[low, high], p| [low.min(p), high.max(p)]);
         let middle = low.midpoint(high).with_y(low.y);
-        let (plan, half) = (middle.distance(low), 0.5 * (high.y - low.y));
-        let sphere = SEEN * 0.5 * low.distance(high);
-        let seen = (sphere * sphere - half * half).max(0.0).sqrt();
+        let plan = middle.distance(low);
+        let beyond = (BEYOND * plan).clamp(LEAST_BEYOND, MOST_BEYOND);
         Self {
             middle,
-            radius: seen.clamp(plan + LEAST_BEYOND, plan + BEYOND),
+            radius: plan + beyond,
         }
+    }
+
+    /// The height of the lower side (metres).
+    pub fn foot(&self) -> f64 {
+        self.middle.y - THICK
     }
 
     /// A disc with a rounded rim.

@@ -31,7 +31,7 @@ macro_rules! steps {
 }
 macro_rules! near {
     ($words:literal) => {
-        concat!($words, "camera=330,16,2.1")
+        concat!($words, "camera=330,16,2.5")
     };
 }
 

@@ -1,7 +1,8 @@
 //! The first stage: the building, and how thick its walls are.
 
+use super::ground::Disc;
 use super::params::BuildingParams;
-use super::{keys, plan_sentences, sentences};
+use super::{MASONRY, keys, plan_sentences, sentences};
 use crate::building::{
     Building, BuildingFault, BuildingMaking, Draft, Face, Rule, Stance, json, obj,
 };
@@ -10,7 +11,7 @@ use crate::domain::signed_area;
 use crate::masonry::plan::ThicknessWork;
 use crate::notice::{Code, Notice};
 use crate::recipe::Key;
-use crate::surface_stones::Fit;
+use crate::surface_stones::{Fit, Rim};
 use glam::DVec3;
 use serde_json::Value;
 use std::sync::Arc;
@@ -19,6 +20,9 @@ use std::sync::Arc;
 const JSON: u8 = b'{';
 /// The most blocks of a building.
 pub(super) const MOST_BLOCKS: f64 = 60_000.0;
+/// The parts of the half picture that the building and the rim of its ground may take.
+const SHARE: f64 = 0.82;
+const RIM_SHARE: f64 = 0.94;
 
 /// A building that can be laid.
 pub(super) struct BuildingSite {
@@ -263,20 +267,32 @@ fn area(face: &Face) -> f64 {
     face.rings.iter().map(|ring| signed_area(ring)).sum()
 }
 
-/// The map from the building to the scene.
+/// The map from the building to the scene. The whole building is in sight while it turns, and so is the rim of its
+/// ground.
 fn fit(building: &Building) -> Fit {
     let (low, high) = bounds(building);
-    Fit::of_box(low, high)
+    let axis = low.midpoint(high);
+    let [x, z] = [axis.x, axis.z];
+    let all: Vec<DVec3> = places(building).copied().collect();
+    let mut rims = Rim::around([x, z], &all, SHARE);
+    let disc = Disc::new(building);
+    rims.push(Rim {
+        radius: disc.radius + libm::hypot(disc.middle.x - x, disc.middle.z - z),
+        height: disc.foot(),
+        share: RIM_SHARE,
+    });
+    Fit::turning([x, z], &rims, &MASONRY.camera())
 }
 
 /// The box around all vertices and extra meshes (metres).
 fn bounds(building: &Building) -> (DVec3, DVec3) {
-    let extras = building.extras().iter().flat_map(|extra| &extra.positions);
-    let all = building
-        .vertices()
-        .iter()
-        .map(|v| &v.position)
-        .chain(extras);
     let start = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    all.fold(start, |(lo, hi), &p| (lo.min(p), hi.max(p)))
+    places(building).fold(start, |(lo, hi), &p| (lo.min(p), hi.max(p)))
+}
+
+/// All vertices of the building and of its extra meshes (metres).
+fn places(building: &Building) -> impl Iterator<Item = &DVec3> {
+    let extras = building.extras().iter().flat_map(|extra| &extra.positions);
+    let vertices = building.vertices().iter();
+    vertices.map(|vertex| &vertex.position).chain(extras)
 }

@@ -154,8 +154,8 @@ pub const PRESETS: &[Preset] = &[
     ),
     Preset::plain(
         ["Shapes and vessels", "basalt-stairs", "Basalt stairs"],
-        "Dark pebbles lie flat on three steps, as if laid by hand.",
-        "v=1&make=pile&c1=smooth&f1=basalt&sigma1=1.4&tu1=30&tw1=30&l1=0.6&form=stairs&stairs_steps=3&stairs_width=0.6&ps=18&yaw=20&alpha=0.8",
+        "Dark pebbles cover three steps, treads and risers alike.",
+        "v=1&make=pile&c1=smooth&f1=basalt&sigma1=0.9&tu1=30&tw1=30&form=stairs&stairs_steps=3&stairs_width=0.6&ps=20&yaw=20&offset=0.2&alpha=0.8",
     ),
     figure(
         ["pile9-a", "Fig. 9 (a)", "Fig. 9 (a) of 2014"],

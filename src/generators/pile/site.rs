@@ -1,12 +1,13 @@
 //! The second stage: the shape on which bodies are heaped, with its walls.
 
+use super::PILE;
 use super::params::{SiteParams, SiteSource};
 use crate::generators::scene_picture::Loaded;
 use crate::notice::{Code, Notice};
 use crate::pile::Wall;
 use crate::pile_shape::{PileShapeBuilding, PiledShape, Vessel};
 use crate::shapes::{Ends, Shape, ShapeMaking};
-use crate::surface_stones::Fit;
+use crate::surface_stones::{Fit, Rim};
 use crate::trimesh::{MeshBuilding, Search, TriMesh};
 use glam::DVec3;
 use std::sync::Arc;
@@ -17,6 +18,11 @@ const EDGE: f64 = 0.02;
 const SKIRT: f64 = 0.03;
 /// How far from the cut sides of ground bodies end, in longest sides: they may pass a wall by a hair, which would show.
 const INSET: f64 = 0.002;
+/// The parts of the half picture that a pile, a container and a block of ground may take. Shadows need room, too; those
+/// of containers and blocks are short beside them.
+const SHARE: f64 = 0.81;
+const VESSEL_SHARE: f64 = 0.87;
+const GROUND_SHARE: f64 = 0.94;
 /// Triangles in a slice of the search tree.
 const SEARCHED: usize = 1 << 14;
 
@@ -189,18 +195,31 @@ impl Site {
         low.y - skirt(low, high)
     }
 
-    /// The map from the shape's units to the scene: the shape with its container, and `room` around it for bodies, has
-    /// its middle at the origin and fits into a picture.
+    /// The map from the shape's units to the scene: the shape with its container, and `room` around it for bodies, is
+    /// in sight while it turns.
     pub fn fit(&self, room: f64) -> Fit {
-        let (mut low, mut high) = self.mesh.bounds();
-        // A container keeps bodies in, except at its top.
-        let beside = if self.vessel.is_some() { 0.0 } else { room };
-        low -= DVec3::splat(beside);
-        high += DVec3::new(beside, room, beside);
-        let around = self.vessel.iter().flat_map(|v| &v.surface.positions);
-        for p in around.map(|p| p.as_dvec3()) {
-            (low, high) = (low.min(p), high.max(p));
+        let (low, high) = self.mesh.bounds();
+        let axis = low.midpoint(high);
+        let [x, z] = [axis.x, axis.z];
+        // A container keeps bodies in, except at its top, and ground ends at its cut sides.
+        let is_bounded = self.vessel.is_some() || self.is_ground;
+        let share = match (&self.vessel, self.is_ground) {
+            (Some(_), _) => VESSEL_SHARE,
+            (None, true) => GROUND_SHARE,
+            (None, false) => SHARE,
+        };
+        let mut rims = Rim::around([x, z], self.mesh.positions(), share);
+        for rim in &mut rims {
+            rim.radius += if is_bounded { 0.0 } else { room };
+            rim.height += if rim.height > axis.y { room } else { 0.0 };
         }
-        Fit::of_box(low, high)
+        let around = self.vessel.iter().flat_map(|v| &v.surface.positions);
+        let around: Vec<DVec3> = around.map(|p| p.as_dvec3()).collect();
+        rims.extend(Rim::around([x, z], &around, share));
+        if self.is_ground {
+            let foot = low.with_y(self.floor());
+            rims.extend(Rim::around([x, z], &[foot], share));
+        }
+        Fit::turning([x, z], &rims, &PILE.camera())
     }
 }
