@@ -169,6 +169,43 @@ test('a click on a block turns the bricks of its edge or corner, and undo turns 
   await close();
 });
 
+test('a block is made step by step, and a link opens the same step', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(`${BRICKS}&camera=315,20`);
+  await made(page);
+  const all = await hash(page);
+  await page.focus('#turn');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('#turn-how');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('.turn-making', { visible: true });
+  assert.match(await page.$eval('.turn-making h2', (title) => title.textContent ?? ''), /^How block \d+ is made$/);
+  const names = await page.$$eval('.turn-dot', (dots) => dots.map((dot) => dot.getAttribute('aria-label')));
+  assert.deepEqual(names.slice(-4), ['Claim', 'Joints', 'Chamfer', 'In the wall']);
+  const seen = new Set();
+  for (const name of names) {
+    await tells(page, new RegExp(`^Block \\d+, step ${seen.size + 1} of ${names.length}: ${name}\\.$`));
+    seen.add(await hash(page));
+    assert.doesNotMatch(await page.$eval('.turn-note', (note) => note.textContent ?? ''), /Miyata/);
+    await page.keyboard.press('.');
+  }
+  assert.equal(seen.size, names.length);
+  const last = [await hash(page), await told(page)];
+  await click(page, '#share');
+  await page.waitForSelector('#share-seen');
+  await click(page, '#share-seen');
+  const shared = await page.$eval('#share-link', (field) => /** @type {HTMLInputElement} */ (field).value);
+  await page.keyboard.press('Escape');
+  const again = await site.newPage(new URL(shared).hash);
+  await again.page.waitForSelector('.turn-making', { visible: true });
+  assert.deepEqual([await hash(again.page), await told(again.page)], last);
+  await click(page, '#turn-all');
+  await tells(page, /^\d+ blocks, seen/);
+  assert.equal(await hash(page), all);
+  assert.deepEqual([problems, again.problems], [[], []]);
+  await again.close();
+  await close();
+});
+
 test('a turned edge that the building does not have is told', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(`${BRICKS}&flips=1,999`);
   await made(page);

@@ -2,7 +2,7 @@
 import { t } from '../words/turn';
 import { make, say } from '../base/dom';
 import { shape } from '../late/svg';
-import { areOfMap, ownNote, stepName, stepNote } from './told';
+import { areOfBlock, areOfMap, ownNote, stepName, stepNote } from './told';
 import type { BodyInfo } from '../picture/frames/source';
 
 /** The connection of the strip to the turntable. */
@@ -66,7 +66,7 @@ export class Making {
       return dot;
     });
     this.dots.replaceChildren(...dots);
-    say(this.title, areOfMap(body.steps) ? t('made_map') : t(this.steps.get('stone') === 'skin' ? 'made_scale' : 'made_stone', { id: body.id }));
+    say(this.title, t(this.titled(body.steps), { id: body.id }));
     this.strip.hidden = false;
     this.tell();
     this.on.focus({ preventScroll: true });
@@ -93,8 +93,16 @@ export class Making {
     return true;
   }
 
+  private titled(steps: readonly string[]): 'made_map' | 'made_block' | 'made_scale' | 'made_stone' {
+    if (areOfMap(steps)) return 'made_map';
+    if (areOfBlock(steps)) return 'made_block';
+    return this.steps.get('stone') === 'skin' ? 'made_scale' : 'made_stone';
+  }
+
   private get called(): string {
-    if (areOfMap(this.body?.steps ?? [])) return t('map');
+    const steps = this.body?.steps ?? [];
+    if (areOfMap(steps)) return t('map');
+    if (areOfBlock(steps)) return t('block', { id: this.body?.id ?? '' });
     return t(this.steps.get('stone') === 'skin' ? 'scale' : 'stone', { id: this.body?.id ?? '' });
   }
 

@@ -48,13 +48,19 @@ export function areOfMap(steps: readonly string[]): boolean {
   return steps.includes('before');
 }
 
+/** Whether these are the steps in the making of a block. */
+export function areOfBlock(steps: readonly string[]): boolean {
+  return steps.includes('claim');
+}
+
 /**
- * A sentence that cites no paper, or ''. It is on a state of a face's map, or on a step that no paper describes in the
- * making of a body that ends up on a surface.
+ * A sentence that is whole without the source at its end, or ''. It is on a state of a face's map, on a step in the
+ * making of a block, or on a step that no paper describes in the making of a body that ends up on a surface.
  */
 export function ownNote(step: string, steps: readonly string[]): string {
   const key = `own_${step}`;
-  return (steps.includes('bent') || areOfMap(steps)) && isWord(key) ? t(key) : '';
+  const hasOwn = steps.includes('bent') || areOfMap(steps) || areOfBlock(steps);
+  return hasOwn && isWord(key) ? t(key) : '';
 }
 
 /** A sentence on a step that a paper describes, with the recipe's numbers; '' if there is none. */

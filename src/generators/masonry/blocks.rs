@@ -67,12 +67,6 @@ impl Wall {
         for extra in site.building.extras() {
             add_extra(&mut scene, extra, site.fit);
         }
-        let rough = Rough {
-            bevel: BEVEL * params.rough,
-            height: BUMPS * params.rough,
-            seed: params.seed,
-            ..Rough::STONE
-        };
         Self {
             scene,
             fit: site.fit,
@@ -86,11 +80,8 @@ impl Wall {
                 shift: lesser(Dressing::BRICK.shift * params.crooked, 0.5 * recess),
                 seed: params.seed,
             },
-            cutter: (params.rough > 0.0).then(|| Stonecutter::new(rough)),
-            caster: Stonecutter::new(Rough {
-                seed: params.seed,
-                ..Rough::CAST
-            }),
+            cutter: (params.rough > 0.0).then(|| Stonecutter::new(stone(params))),
+            caster: Stonecutter::new(cast(params)),
             shown: 0,
         }
     }
@@ -156,11 +147,9 @@ impl Wall {
         mark: u32,
         material: u8,
     ) -> Option<(BlockLook, Option<Polyhedron>)> {
-        let is_flat = matches!(cell.sort, CellSort::Sill | CellSort::Tile);
-        let is_rough = material == STONE_ROW && !is_flat;
         let cutter = match cell.body.has_rough_sides() {
             true => Some(&mut self.caster),
-            false => self.cutter.as_mut().filter(|_| is_rough),
+            false => self.cutter.as_mut().filter(|_| is_hewn(cell, material)),
         };
         if let Some(cutter) = cutter {
             let levels = cutter.levels(&cell.body, mark)?;
@@ -234,6 +223,37 @@ impl Wall {
     }
 }
 
+/// Whether the block of a cell is a stone that may be rounded, and no sill or tile.
+fn is_hewn(cell: &MasonryCell, material: u8) -> bool {
+    material == STONE_ROW && !matches!(cell.sort, CellSort::Sill | CellSort::Tile)
+}
+
+/// The shape of rounded stones.
+fn stone(params: &BlockParams) -> Rough {
+    Rough {
+        bevel: BEVEL * params.rough,
+        height: BUMPS * params.rough,
+        seed: params.seed,
+        ..Rough::STONE
+    }
+}
+
+/// The shape of cast stones.
+fn cast(params: &BlockParams) -> Rough {
+    Rough {
+        seed: params.seed,
+        ..Rough::CAST
+    }
+}
+
+/// The shape of a cell's block if it is rounded; `None` if its edges are chamfered.
+pub(super) fn rounding(params: &BlockParams, cell: &MasonryCell, material: u8) -> Option<Rough> {
+    if cell.body.has_rough_sides() {
+        return Some(cast(params));
+    }
+    (params.rough > 0.0 && is_hewn(cell, material)).then(|| stone(params))
+}
+
 /// A surface whose triangles have the normals of their planes. Triangles of one plane share vertices.
 pub(super) fn flat(mesh: &BlockMesh, place: impl Fn(DVec3) -> Vec3) -> Surface {
     let mut surface = Surface::default();
@@ -257,7 +277,7 @@ pub(super) fn flat(mesh: &BlockMesh, place: impl Fn(DVec3) -> Vec3) -> Surface {
 }
 
 /// A surface with one mean normal for each vertex.
-fn smooth(mesh: &BlockMesh, place: impl Fn(DVec3) -> Vec3) -> Surface {
+pub(super) fn smooth(mesh: &BlockMesh, place: impl Fn(DVec3) -> Vec3) -> Surface {
     Surface {
         positions: mesh.positions.iter().map(|&p| place(p)).collect(),
         normals: mesh.normals().iter().map(|n| n.as_vec3()).collect(),

@@ -90,12 +90,19 @@ impl MasonryEngine {
         }
     }
 
-    /// The words of the states of a face's map, while maps are shown.
+    /// The words of the states of a face's map, while maps are shown, or of the steps in the making of a block.
     pub(super) fn states(&self, id: u32) -> Vec<String> {
         let shown = self.picture.shown().map(|(key, _)| key.view);
-        let has_map = shown == Some(MasonryView::Occupancy) && self.made.face_of(id).is_some();
-        let words = diagrams::STATES.iter().filter(|_| has_map);
-        words.map(|word| (*word).to_owned()).collect()
+        let words = match (shown, self.meant(id)) {
+            (Some(MasonryView::Occupancy), _) => {
+                let has_map = self.made.face_of(id).is_some();
+                let words = diagrams::STATES.into_iter();
+                words.filter(|_| has_map).collect()
+            }
+            (None, _) | (_, Some(Meant::Cell(_))) => self.made.block_steps(id),
+            _ => Vec::new(),
+        };
+        words.into_iter().map(str::to_owned).collect()
     }
 
     /// The words of a body: the labels of its feature, and for a block the path of its node in the tree.

@@ -20,6 +20,9 @@ mod kept;
 mod kept_tests;
 #[cfg(test)]
 mod look_tests;
+mod making;
+#[cfg(test)]
+mod making_tests;
 mod params;
 mod parts;
 mod plan_sentences;

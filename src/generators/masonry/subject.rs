@@ -118,14 +118,22 @@ impl SceneSource for MasonryStages {
         }
     }
 
-    fn making_key(&self) -> Option<SceneKey<MasonryView>> {
-        self.key("occupancy")
+    fn making_key(&self, view: &str) -> Option<SceneKey<MasonryView>> {
+        match MasonryView::of_words(view) {
+            MasonryView::Occupancy => self.key("occupancy"),
+            _ => self.key("picture").filter(|_| self.is_laid()),
+        }
     }
 
-    fn step_scene(&self, (id, state): (u32, usize)) -> Option<Scene> {
-        let face = self.face_of(id);
-        let face = face.filter(|_| state < diagrams::STATES.len())?;
-        Some(diagrams::map_scene(self.cells.made()?, face, state))
+    fn step_scene(&self, view: &str, (id, at): (u32, usize)) -> Option<Scene> {
+        match MasonryView::of_words(view) {
+            MasonryView::Occupancy => {
+                let face = self.face_of(id);
+                let face = face.filter(|_| at < diagrams::STATES.len())?;
+                Some(diagrams::map_scene(self.cells.made()?, face, at))
+            }
+            _ => self.block_scene(id, at),
+        }
     }
 
     fn materials(&self, subject: &WallSubject) -> Option<&'static [Material]> {

@@ -194,9 +194,12 @@ fn a_face_with_a_map_has_its_states_while_maps_are_shown() {
     assert_eq!(engine.states(1), [""; 0], "a corner");
     let words: Vec<_> = engine.measures(id).iter().map(|(word, _)| *word).collect();
     assert_eq!(words, ["feature", "number", "before", "after"]);
-    assert!(engine.made.step_scene((id, 2)).is_some());
+    assert!(engine.made.step_scene("occupancy", (id, 2)).is_some());
     for none in [(id, 3), (1, 0), (0, 0), (9_999, 1)] {
-        assert!(engine.made.step_scene(none).is_none(), "{none:?}");
+        assert!(
+            engine.made.step_scene("occupancy", none).is_none(),
+            "{none:?}"
+        );
     }
 }
 

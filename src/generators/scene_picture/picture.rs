@@ -67,13 +67,13 @@ pub(crate) trait SceneSource: Sized {
     /// Makes a slice of a scene; returns the scene once it is done.
     fn make(&mut self, key: KeyOf<Self>, making: &mut Self::Making) -> Option<Self::Subject>;
 
-    /// The key of the picture's bodies, if the steps of their making can be shown now.
-    fn making_key(&self) -> Option<KeyOf<Self>> {
+    /// The key of the bodies of a view, if the steps of their making can be shown now.
+    fn making_key(&self, _view: &str) -> Option<KeyOf<Self>> {
         None
     }
 
-    /// The scene of one step in the making of a body; `None` if there is no such step.
-    fn step_scene(&self, _step: (u32, usize)) -> Option<Scene> {
+    /// The scene of one step in the making of a body of a view; `None` if there is no such step.
+    fn step_scene(&self, _view: &str, _step: (u32, usize)) -> Option<Scene> {
         None
     }
 
@@ -275,12 +275,12 @@ impl<S: SceneSource> ScenePicture<S> {
         clock: Clock,
         budget: Budget,
     ) -> Result<FrameSlice, Notice> {
-        let key = source.making_key().ok_or(Code::NotYet)?;
+        let key = source.making_key(&order.how).ok_or(Code::NotYet)?;
         let of = (key, step);
         let shown = match self.step.take().filter(|shown| shown.of == of) {
             Some(shown) => shown,
             None => {
-                let scene = source.step_scene(step);
+                let scene = source.step_scene(&order.how, step);
                 let scene = scene.ok_or_else(|| order.no_such_body())?;
                 self.count += 1;
                 let number = self.count;

@@ -4,14 +4,14 @@ use super::SurfaceEngine;
 use super::made::Standing;
 use super::stages::Stages;
 use super::subject::ViewScene;
+use crate::generators::scene_picture::seen_near;
 use crate::generators::turntable::CloseUp;
 use crate::generators::{Polygon, Probe};
 use crate::metrics::Figure;
-use crate::scene::{Detail, Instance, Place, Scene, Surfel};
+use crate::scene::{Place, Scene};
 use crate::solid::top;
 use crate::surface_stones::{StoneStep, UnfoldedCell, neighbours, step, steps};
 use glam::{DVec2, Vec3};
-use std::rc::Rc;
 
 impl SurfaceEngine {
     /// The measures of a body's cell, each with its word, taken in the cell's tangent plane. Lengths are in picture
@@ -108,56 +108,5 @@ fn finished(standing: &Standing, k: usize, flat: &UnfoldedCell, near: &CloseUp) 
         .map(|&other| other + 1)
         .chain([k as u32 + 1])
         .collect();
-    let mut scene = Scene {
-        detail: Some(Box::new(Moved {
-            scene: all.clone(),
-            place,
-            scale,
-        })),
-        reach: all.reach * scale,
-        ..Scene::default()
-    };
-    for instance in all.instances.iter().filter(|i| ids.contains(&i.id)) {
-        let body = scene.bodies.len() as u32;
-        scene
-            .bodies
-            .push(all.bodies[instance.body as usize].clone());
-        scene.instances.push(Instance {
-            body,
-            place: Place {
-                axes: instance.place.axes.map(|axis| place.turned(axis)),
-                origin: place.of(instance.place.origin),
-            },
-            ..*instance
-        });
-    }
-    scene
-}
-
-/// The details of a scene that is turned, scaled and moved.
-struct Moved {
-    scene: Rc<Scene>,
-    place: Place,
-    scale: f32,
-}
-
-impl Detail for Moved {
-    fn refine(&self, surfel: &mut Surfel, id: u32, spread: f32) {
-        let Some(detail) = &self.scene.detail else {
-            return;
-        };
-        let Place { axes, origin } = self.place;
-        let unit = axes.map(|axis| axis / self.scale);
-        let back = |v: Vec3| Vec3::from(unit.map(|axis| axis.dot(v)));
-        let mut own = *surfel;
-        own.position = back(surfel.position - origin) / self.scale;
-        own.normal = back(surfel.normal);
-        detail.refine(&mut own, id, spread / self.scale);
-        let [x, y, z] = unit;
-        *surfel = Surfel {
-            position: surfel.position,
-            normal: x * own.normal.x + y * own.normal.y + z * own.normal.z,
-            ..own
-        };
-    }
+    seen_near(all, (place, scale), |instance| ids.contains(&instance.id))
 }

@@ -124,7 +124,7 @@ impl SceneSource for Stages {
         finished(std::mem::replace(making, ViewSceneMaking::Begin(None)))
     }
 
-    fn making_key(&self) -> Option<SceneKey<SurfaceView>> {
+    fn making_key(&self, _view: &str) -> Option<SceneKey<SurfaceView>> {
         let bodies = self.standing()?;
         let (surface, _) = self.revisions();
         Some(SceneKey {
@@ -135,7 +135,7 @@ impl SceneSource for Stages {
         })
     }
 
-    fn step_scene(&self, step: (u32, usize)) -> Option<Scene> {
+    fn step_scene(&self, _view: &str, step: (u32, usize)) -> Option<Scene> {
         self.scene_of_step(step)
     }
 

@@ -9,7 +9,7 @@ mod plates;
 mod seams;
 mod unrolled;
 
-pub(super) use clipping::clipped;
+pub(super) use clipping::{Clipped, clipped};
 pub(super) use grid::lines;
 pub(super) use occupancy::Claimed;
 pub(super) use seams::Texture;
