@@ -1,6 +1,7 @@
 //! The round piece of ground that a building stands on: grass, gravel or paving.
 
 use super::colours::{GRASS_ROW, SOIL_ROW};
+use super::disc::{Disc, THICK};
 use super::params::GroundParams;
 use super::parts::add_plain;
 use super::site::BuildingSite;
@@ -13,13 +14,7 @@ use crate::solid::Surface;
 use glam::{DVec3, Vec2, Vec3};
 use std::f64::consts::TAU;
 
-/// How far the ground reaches beyond the building's plan: a part of the plan's radius, and the least and the most
-/// (metres).
-const BEYOND: f64 = 0.18;
-const LEAST_BEYOND: f64 = 0.2;
-const MOST_BEYOND: f64 = 0.55;
-/// The thickness of the ground, and the width of its rounded rim (metres).
-const THICK: f64 = 0.16;
+/// The width of the ground's rounded rim (metres).
 const RIM: f64 = 0.05;
 /// No grass grows closer than this to an underside of the building. Undersides that begin higher than `HIGH` do not
 /// count (metres).
@@ -147,32 +142,7 @@ impl GroundWork {
     }
 }
 
-/// The outline of the ground in the building's own coordinates (metres).
-pub(super) struct Disc {
-    pub middle: DVec3,
-    pub radius: f64,
-}
-
 impl Disc {
-    /// The ground of a building.
-    pub fn new(building: &Building) -> Self {
-        let places = building.vertices().iter().map(|v| v.position);
-        let start = [DVec3::INFINITY, DVec3::NEG_INFINITY];
-        let [low, high] = places.fold(start, |[low, high], p| [low.min(p), high.max(p)]);
-        let middle = low.midpoint(high).with_y(low.y);
-        let plan = middle.distance(low);
-        let beyond = (BEYOND * plan).clamp(LEAST_BEYOND, MOST_BEYOND);
-        Self {
-            middle,
-            radius: plan + beyond,
-        }
-    }
-
-    /// The height of the lower side (metres).
-    pub fn foot(&self) -> f64 {
-        self.middle.y - THICK
-    }
-
     /// A disc with a rounded rim.
     fn surface(&self, site: &BuildingSite) -> Surface {
         let rings = [

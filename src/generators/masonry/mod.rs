@@ -8,6 +8,7 @@ mod cuboid;
 #[cfg(not(target_arch = "wasm32"))]
 mod data;
 mod diagrams;
+mod disc;
 mod engine;
 mod figures;
 mod files;

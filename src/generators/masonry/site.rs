@@ -1,6 +1,6 @@
 //! The first stage: the building, and how thick its walls are.
 
-use super::ground::Disc;
+use super::disc::Disc;
 use super::params::BuildingParams;
 use super::{MASONRY, keys, plan_sentences, sentences};
 use crate::building::{
