@@ -13,6 +13,12 @@ import { allowClipboard, blankPage, kind, launch, setSystem } from './browsers.m
 export const desk = { width: 1280, height: 800 };
 
 /**
+ * Firefox tells of a request that waits for the service worker while its page is left. The page is gone then, so the
+ * message has no address; that of a request which failed has one.
+ */
+const LEFT = /Failed to load ‘’\. A ServiceWorker intercepted the request/;
+
+/**
  * A low window, for tests that wait for refined frames of bodies: the picture has a third of the pixels. Rare tools are
  * folded in windows below 704 lines; all else is as on a desk.
  */
@@ -140,7 +146,9 @@ async function newPage(browser, system, address, fragment, { viewport, stores = 
   page.on('console', (message) => {
     if (message.type() === 'error') problems.push(message.text());
   });
-  page.on('pageerror', (error) => problems.push(String(error)));
+  page.on('pageerror', (error) => {
+    if (!LEFT.test(String(error))) problems.push(String(error));
+  });
   page.on('requestfailed', (request) => {
     const why = request.failure()?.errorText ?? '';
     // An aborted request is no failure: the page, or the end of the page, no longer needs it.
