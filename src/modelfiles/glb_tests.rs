@@ -34,30 +34,14 @@ fn nodes_of_a_glb_put_meshes_where_they_are() {
 fn strips_and_fans_of_a_glb_are_read() {
     let square = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::new(1.0, 1.0, 0.0)];
     for kind in [5121, 5123, 5125] {
-        let strip = glb(
-            &square,
-            &[0, 1, 2, 3],
-            kind,
-            r#"{"mesh":0}"#,
-            r#","mode":5"#,
-        );
-        assert_eq!(read("a.glb", strip).triangles, [[0, 1, 2], [2, 1, 3]]);
-        let fan = glb(
-            &square,
-            &[0, 1, 3, 2],
-            kind,
-            r#"{"mesh":0}"#,
-            r#","mode":6"#,
-        );
-        assert_eq!(read("a.glb", fan).triangles, [[0, 1, 3], [0, 3, 2]]);
-        let lines = glb(
-            &square,
-            &[0, 1, 3, 2],
-            kind,
-            r#"{"mesh":0}"#,
-            r#","mode":1"#,
-        );
-        assert_eq!(read("a.glb", lines).triangles.len(), 0);
+        let mesh = r#"{"mesh":0}"#;
+        let triangles = |corners: [u32; 4], mode: u32| {
+            let mode = format!(r#","mode":{mode}"#);
+            read("a.glb", glb(&square, &corners, kind, mesh, &mode)).triangles
+        };
+        assert_eq!(triangles([0, 1, 2, 3], 5), [[0, 1, 2], [2, 1, 3]]);
+        assert_eq!(triangles([0, 1, 3, 2], 6), [[0, 1, 3], [0, 3, 2]]);
+        assert_eq!(triangles([0, 1, 3, 2], 1).len(), 0);
     }
 }
 

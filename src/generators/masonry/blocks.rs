@@ -350,7 +350,7 @@ fn add_extra(scene: &mut Scene, extra: &ExtraMesh, fit: Fit) {
     add_plain(scene, flat(&mesh, |p| fit.place(p)), (0, tint, material));
 }
 
-/// The surface of a body without chamfers, in the scene's coordinates.
-pub(super) fn plain(body: &Polyhedron, fit: Fit) -> Surface {
-    flat(&Bevelled::new(body, 0.0).facets(), |p| fit.place(p))
+/// The surface of a body without chamfers, with its vertices placed by `place`.
+pub(super) fn plain(body: &Polyhedron, place: impl Fn(DVec3) -> Vec3) -> Surface {
+    flat(&Bevelled::new(body, 0.0).facets(), place)
 }

@@ -2,8 +2,8 @@
 //! for architectural models, sections 3.3 and 5.1): its place on the face, the space that it claims among its neighbours,
 //! the joints, the shape of its edges, and the block in the wall.
 
-use super::blocks::{flat, rounding, smooth};
-use super::colours::{FEATURES, STONE_ROW, type_of};
+use super::blocks::{flat, plain, rounding, smooth};
+use super::colours::STONE_ROW;
 use super::diagrams::{Clipped, clipped};
 use super::parts::add_plain;
 use super::stages::MasonryStages;
@@ -16,10 +16,9 @@ use crate::solid::Surface;
 use glam::{DVec3, Vec3};
 use std::rc::Rc;
 
-/// The colours of neighbours, of the block itself, and of parts of its place that lie off the face.
+/// The colours of neighbours, and of the block itself.
 const BESIDE: [u8; 3] = [150, 147, 140];
 const OWN: [u8; 3] = [226, 214, 190];
-const OUTSIDE: [u8; 3] = [150, 110, 190];
 /// Cells are neighbours if the boxes around them are at most this far apart (metres).
 const TOUCH: f64 = 1e-3;
 /// How thick and how far before the face plates are drawn (metres).
@@ -244,11 +243,8 @@ impl<'a> MadeBlock<'a> {
             add(scene, solid(&body), self.number + 1, colour);
         };
         plate(self.cell.unclipped.as_deref()?, PLATES[0], OWN);
-        for Clipped { part, by, .. } in self.clipped() {
-            let colour = by.map_or(OUTSIDE, |by| {
-                FEATURES[type_of(self.laying.cells()[by as usize].feature)]
-            });
-            plate(&part, PLATES[1], colour);
+        for cut in self.clipped() {
+            plate(&cut.part, PLATES[1], cut.colour(self.laying));
         }
         Some(())
     }
@@ -266,7 +262,7 @@ impl<'a> MadeBlock<'a> {
 
 /// The surface of a body without chamfers, in metres.
 fn solid(body: &Polyhedron) -> Surface {
-    flat(&Bevelled::new(body, 0.0).facets(), |p| p.as_vec3())
+    plain(body, |p| p.as_vec3())
 }
 
 fn add(scene: &mut Scene, surface: Surface, id: u32, colour: [u8; 3]) {

@@ -30,6 +30,15 @@ pub(in crate::generators::masonry) struct Clipped {
     pub by: Option<u32>,
 }
 
+impl Clipped {
+    /// The colour of the feature in whose way the part was.
+    pub fn colour(&self, laying: &Laying) -> [u8; 3] {
+        self.by.map_or(OUTSIDE, |by| {
+            FEATURES[type_of(laying.cells()[by as usize].feature)]
+        })
+    }
+}
+
 /// The parts that were cut off a cell of a face. `number` is the cell's place in the order of laying.
 pub(in crate::generators::masonry) fn clipped(
     laying: &Laying,
@@ -77,12 +86,9 @@ pub(super) fn add(scene: &mut Scene, laying: &Laying, fit: Fit, cells: Range<usi
     });
     let first = cells.start as u32;
     for (number, cell) in (first..).zip(&laying.cells()[cells]) {
-        for Clipped { face, part, by } in clipped(laying, (number, cell)) {
-            let colour = by.map_or(OUTSIDE, |by| {
-                FEATURES[type_of(laying.cells()[by as usize].feature)]
-            });
-            let mut plates = Plates::new(laying.building().face(face), fit);
-            plates.add(&part, HEIGHT, colour);
+        for cut in clipped(laying, (number, cell)) {
+            let mut plates = Plates::new(laying.building().face(cut.face), fit);
+            plates.add(&cut.part, HEIGHT, cut.colour(laying));
             plates.finish(scene, (number + 1, MAP));
         }
     }

@@ -48,7 +48,11 @@ pub(super) fn add_coloured(
     let first = cells.start as u32 + 1;
     for (id, cell) in (first..).zip(&laying.cells()[cells]) {
         if let Some(body) = cell.body.shrunk() {
-            add_plain(scene, plain(&body, fit), (id, colour(cell), SATIN));
+            add_plain(
+                scene,
+                plain(&body, |p| fit.place(p)),
+                (id, colour(cell), SATIN),
+            );
         }
     }
 }

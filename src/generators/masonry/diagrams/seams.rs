@@ -83,7 +83,7 @@ pub(super) fn add_cells(scene: &mut Scene, laying: &Laying, (fit, cells): (Fit, 
         if let Some(body) = cell.body.shrunk() {
             let colour = toned(BRICK, TONE, number);
             let id = id_of(laying, cell.feature);
-            add_plain(scene, plain(&body, fit), (id, colour, SATIN));
+            add_plain(scene, plain(&body, |p| fit.place(p)), (id, colour, SATIN));
         }
     }
 }
