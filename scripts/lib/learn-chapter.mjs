@@ -20,7 +20,6 @@ import { escaped, folderOf, pageFile, prose, way } from './learn-frame.mjs';
  * @property {string} [figure]
  * @property {string} [key] of its question
  * @property {Answer[]} [answers]
- * @property {boolean} [givesAway] whether the picture that its figure opens with tells the answer
  * @property {Words[]} [blanks] of the sheet, where there are no answers to choose
  * @property {(Words | Equation)[]} [parts]
  * @property {Words[]} [lines]

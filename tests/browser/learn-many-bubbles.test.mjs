@@ -177,6 +177,9 @@ test('each question is answered by doing what it asks', async () => {
   assert.match(await answer(page, 'same'), /^You expected that both end as the same picture\. Both are at rest\. .*−5\.059 on the left, −5\.452 on the right/);
 
   await at(page, 'energy');
+  // The figure opens before the pairs gain for the first time.
+  const pairs = await page.$eval('#fig-energy .plate .line-1', (path) => (path.getAttribute('d') ?? '').split('L').map((place) => Number(place.split(' ')[1])));
+  assert.ok(pairs.length > 3 && pairs.every((y, k) => k === 0 || y > (pairs[k - 1] ?? Infinity)), String(pairs));
   await seek(page, '#fig-energy', 3);
   assert.equal(await answer(page, 'falls'), '');
   await seek(page, '#fig-energy', 8);

@@ -304,7 +304,6 @@ test('on the sheets to print each question has its sentence, its pictures and it
       }
       const pictured = seen.map(({ pictures }) => pictures > 0);
       assert.ok(pictured.filter(Boolean).length >= 2, `${name}: ${pictured}`);
-      for (const [at, { givesAway = false }] of asked.entries()) assert.ok(!(givesAway && pictured[at]), `${name}: question ${at + 1} shows its answer`);
       assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), A4.width, `${name} ${language}`);
       await close();
     }

@@ -24,8 +24,8 @@ export const manyBubbles = {
         ja: '三つのバブルが一列に並んで触れ合っています。一番目と三番目の距離は$w = 2$です。三番目は一番目にどんな力を及ぼすでしょう。',
       },
       caption: {
-        en: 'A crowd at its start. Each bubble sums the pushes and pulls of its [[neighbour|neighbours]] to one arrow, its [[net-force|net force]]. A [[wall]] acts by the same curve.',
-        ja: '動き出す前の群れ。バブルは[[neighbour|近接粒子]]からの斥力と引力を一本の矢印、[[net-force|合力]]にまとめます。[[wall|壁]]も同じ曲線に従って力を及ぼします。',
+        en: 'A crowd at its start. Each bubble sums the pushes and pulls of its [[neighbour|neighbours]] to one arrow, its [[net-force|net force]]. A [[wall]] acts by the same curve. $E$ is the [[energy]] of all, in units of $k0$, as in chapter 1.',
+        ja: '動き出す前の群れ。バブルは[[neighbour|近接粒子]]からの斥力と引力を一本の矢印、[[net-force|合力]]にまとめます。[[wall|壁]]も同じ曲線に従って力を及ぼします。$E$は全体の[[energy|エネルギー]]で、単位は第1章と同じ$k0$です。',
       },
       answers: [
         {
@@ -61,8 +61,8 @@ export const manyBubbles = {
       figure: 'two-starts',
       heading: { en: 'Will both end alike?', ja: '同じところに落ち着くでしょうか' },
       text: {
-        en: 'The same outline, forces and number of bubbles: only the [[first-places|first places]] differ. Let both run until they rest, and compare their pictures and their [[energy]], the sum of all potentials. What will you see?',
-        ja: '輪郭も力も個数も同じで、[[first-places|初期位置]]だけが違います。両方を静止するまで動かし、絵と[[energy|エネルギー]]（ポテンシャルの合計）を比べると、どうなるでしょう。',
+        en: 'The same outline, forces and number of bubbles: only the [[first-places|first places]] differ. Let both run until they rest, and compare their pictures and their energy, the sum of all potentials. What will you see?',
+        ja: '輪郭も力も個数も同じで、[[first-places|初期位置]]だけが違います。両方を静止するまで動かし、絵とエネルギー（ポテンシャルの合計）を比べると、どうなるでしょう。',
       },
       answers: [
         { value: 'a', text: { en: 'The same picture twice', ja: '同じ絵が二つ' } },
@@ -78,7 +78,6 @@ export const manyBubbles = {
       kind: 'prediction',
       key: 'falls',
       figure: 'energy',
-      givesAway: true,
       heading: { en: 'Downhill all the way?', ja: 'ずっと下り坂でしょうか' },
       text: {
         en: 'A crowd settles. Its pairs end with less energy than they began with. Does their energy fall at every step?',
@@ -89,8 +88,8 @@ export const manyBubbles = {
         { value: 'b', text: { en: 'No, at some steps it rises', ja: 'いいえ、増えるステップもある' }, right: true },
       ],
       caption: {
-        en: 'The energies of a run, step by step: of the pairs, of the walls, of the motion, and their sum. Stop where the pairs gain.',
-        ja: 'ステップごとのエネルギー。対、壁、運動と、その合計です。対のエネルギーが増えたところで止めてみてください。',
+        en: 'The first steps of a shaken crowd. The pairs lose energy, and most of it is now motion; the sum of all falls slowly. Step on: how will the pairs go on?',
+        ja: '揺さぶった群れの最初の数ステップ。対のエネルギーは減り、その大半が運動に変わりました。合計はゆっくり減っています。一歩ずつ進めてください。対のエネルギーは、この先どうなるでしょう。',
       },
     },
     {

@@ -55,7 +55,7 @@ const isAtRest = (trace: Trace | undefined, step: number): boolean => trace !== 
 
 const energyNote = (packing: number) => (seen: Seen): string => {
   const now = atOf(seen, packing);
-  return now ? `E = ${number(energyOf(now), 3)}` : '';
+  return now ? `E = ${number(energyOf(now), 3)} k₀` : '';
 };
 
 function toldCrowd(seen: Seen, language: Language): string {
@@ -116,7 +116,7 @@ function toldEnergy(seen: Seen, language: Language): string {
   if (!by) return joined(language, stand, language === 'ja' ? '一歩ずつ進めてください。' : 'Step on.');
   const [p, s] = [signed(by.pairs), signed(by.sum)];
   const last = language === 'ja' ? `この一歩で、対は${p}、和は${s}変わりました。` : `In this step the pairs changed by ${p}, the sum by ${s}.`;
-  return joined(language, stand, last, language === 'ja' ? '対が増えたステップで止めてみてください。' : 'Stop at a step where the pairs gained.');
+  return joined(language, stand, last, language === 'ja' ? '一歩ずつ進め、対の符号を見てください。' : 'Go on step by step, and watch the sign of the pairs.');
 }
 
 const signed = (value: number): string => `${value > 0 ? '+' : ''}${number(value, 4)}`;
@@ -275,7 +275,7 @@ export const MANY_BUBBLES: readonly Figure[] = [
     stops: [START, FIRST_REST, AT_REST, OVER], handles: [BEND, FIRST], more: [DAMPING, JOLT], asks: [same], told: toldTwo,
   },
   {
-    name: 'energy', fits, at: [], recipe: `${SHAKEN}&cs=32&jolt=0.5&seed=2&dt=0.2&damp=0.2`, packings: [{}], last: 120, opens: 120, steps: 'step',
+    name: 'energy', fits, at: [], recipe: `${SHAKEN}&cs=32&jolt=0.5&seed=2&dt=0.2&damp=0.2`, packings: [{}], last: 40, opens: 6, steps: 'step',
     plates: [
       { draw: 'crowd', packing: 0, forces: true, title: { en: 'Shaken, and let go', ja: '揺さぶって放した群れ' } },
       { draw: 'plot', packing: 0, title: ENERGY, digits: 3, lines: [SUM, PAIRS, WALLS, MOTION] },
