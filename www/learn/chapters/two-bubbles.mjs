@@ -69,8 +69,8 @@ export const twoBubbles = {
         ja: 'バブルは、まわりに[[force|力]]を及ぼす点です。円は、そのバブルの求める広さを表します。二つの間の距離$w$は、円が触れ合うときに$w = 1$となるように測ります。片方を動かして、矢印を見てください。',
       },
       caption: {
-        en: 'Two bubbles and the force on each; below them the force over the distance $w$, then the [[potential]], an energy. The dot is this pair. Forces are in units of $k0 / l0$, energies in $k0$, as explained below.',
-        ja: '二つのバブルと、それぞれに働く力。下は距離$w$に対する力、次は[[potential|ポテンシャル]]（エネルギー）。丸い印がこの対の位置です。力の単位は$k0 / l0$、エネルギーの単位は$k0$で、意味は後の本文で説明します。',
+        en: 'Two bubbles and the force on each; below them the force over the distance $w$, then the [[potential]], an energy. The dot is this pair. Forces are in units of $k0 / l0$, energies in $k0$, both at [[stiffness]] 1, as explained below.',
+        ja: '二つのバブルと、それぞれに働く力。下は距離$w$に対する力、次は[[potential|ポテンシャル]]（エネルギー）。丸い印がこの対の位置です。力の単位は$k0 / l0$、エネルギーの単位は$k0$（[[stiffness|ばね定数]]が1のときの値）で、意味は後の本文で説明します。',
       },
     },
     {
@@ -119,8 +119,8 @@ export const twoBubbles = {
           },
         },
         {
-          en: 'Read it from left to right. At $w = 0$ it is a [[repulsion|push]] of 9/8, in units of $k0 / l0$. It falls to 0 at $w = 1$. Then comes a [[attraction|pull]], and from 1.5 on nothing: the bubble at 1.6 had no reason to move. Close to $w = 1$ the curve is nearly straight, as a spring’s is. The [[stiffness]] $k0$ says how steep: the slope is $− k0 / l0$.',
-          ja: '左から読みます。$w = 0$では$k0 / l0$を単位として9/8の[[repulsion|斥力]]です。だんだん弱まり、$w = 1$で0になります。その先は[[attraction|引力]]、1.5から先は0です。1.6に置いたバブルには、動く理由がなかったのです。$w = 1$の近くでは曲線はほぼ直線で、ばねと変わりません。傾きは$− k0 / l0$で、[[stiffness|ばね定数]]$k0$が大きいほど急です。',
+          en: 'Read it from left to right. At $w = 0$ it is a [[repulsion|push]] of 9/8, in units of $k0 / l0$. It falls to 0 at $w = 1$. Then comes a [[attraction|pull]], and from 1.5 on nothing: the bubble at 1.6 had no reason to move. Close to $w = 1$ the curve is nearly straight, as a spring’s is. The stiffness $k0$ says how steep: the slope is $− k0 / l0$.',
+          ja: '左から読みます。$w = 0$では$k0 / l0$を単位として9/8の[[repulsion|斥力]]です。だんだん弱まり、$w = 1$で0になります。その先は[[attraction|引力]]、1.5から先は0です。1.6に置いたバブルには、動く理由がなかったのです。$w = 1$の近くでは曲線はほぼ直線で、ばねと変わりません。傾きは$− k0 / l0$で、ばね定数$k0$が大きいほど急です。',
         },
         {
           en: 'The work against this force, summed from 1.5 inwards, is the potential:',
@@ -158,7 +158,7 @@ export const twoBubbles = {
       figure: 'not-so',
       heading: { en: 'Not so: “a spring, the farther the stronger”', ja: '「遠いほど強いばね」ではありません' },
       text: {
-        en: 'A spring would pull harder the farther it is drawn. This pull is strongest at $w = 19/15$: 0.145, an eighth of the strongest push. Then it fades, so a bubble never tugs at those behind its neighbours. Nor does every run come to rest. A computer walks in [[time-step|steps of time]]; [[euler|explicit Euler]] trusts the force at the start of a step for all of it. Make the step longer, and break it.',
+        en: 'A spring would pull harder the farther it is drawn. This pull is strongest at $w = 19/15$: 0.145, about an eighth of the strongest push. Then it fades, so a bubble never tugs at those behind its neighbours. Nor does every run come to rest. A computer walks in [[time-step|steps of time]]; [[euler|explicit Euler]] trusts the force at the start of a step for all of it. Make the step longer, and break it.',
         ja: 'ばねなら、伸ばすほど強く引きます。けれども、この引力が最も強いのは$w = 19/15$で、その大きさ0.145は最も強い斥力のおよそ8分の1です。その先では弱まるので、隣の向こうにいるバブルまで引くことはありません。また、この力があれば必ず落ち着くわけでもありません。計算は[[time-step|時間刻み]]ごとに進み、[[euler|陽的オイラー法]]は刻みの初めの力を刻みの終わりまで使います。刻みを大きくして、壊してみてください。',
       },
       ask: { en: 'What will explicit Euler do with a step of 1.0?', ja: '刻みを1.0にすると、陽的オイラー法はどうなるでしょう。' },
