@@ -126,7 +126,7 @@ function here(view: View, trace: Trace, isAhead: boolean, x: (step: number) => n
   const count = countOf(now);
   // The number at the end of the later steps needs its room, too.
   const isLate = x(now.step) > Math.min(RIGHT, isAhead ? x(trace.steps.length - 1) : RIGHT) - 30;
-  const words = text(x(now.step) + (isLate ? -8 : 8), y(count) - 5, String(count), 'key', isLate ? 'end' : 'start');
+  const words = text(x(now.step) + (isLate ? -8 : 8), y(count) - 5, String(count), 'key halo', isLate ? 'end' : 'start');
   return `${line([x(view.step), TOP - 6], [x(view.step), FLOOR], 'now')}${circle([x(now.step), y(count)], 4.5, 'here')}${words}`;
 }
 
