@@ -268,6 +268,15 @@ test('on paper a chapter has every figure and every answer, and no handles', sam
       ground: getComputedStyle(document.body).backgroundColor,
     }));
     assert.deepEqual(seen, { ...partsOf(chapter), arrows: true, tools: 0, ground: 'rgb(255, 255, 255)' });
+    const inks = await page.evaluate(() =>
+      ['dark', 'light'].map((theme) => {
+        document.documentElement.dataset.theme = theme;
+        const parts = [...document.querySelectorAll('figure svg.plate *')].map((part) => getComputedStyle(part));
+        return [...new Set(parts.map(({ fill, stroke }) => `${fill} ${stroke}`))];
+      }),
+    );
+    assert.ok((inks[0]?.length ?? 0) > 3);
+    assert.deepEqual(inks[0], inks[1], `${chapter.path}: colours of a dark page on paper`);
     await close();
   }
 });
