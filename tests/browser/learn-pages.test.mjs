@@ -103,6 +103,9 @@ async function losesNothing(page, path) {
   await page.evaluate(() => document.documentElement.style.setProperty('font-size', '200%'));
   await frames(page, 2);
   assert.deepEqual(await lost(page), [], `${path} at 200 %`);
+  await page.setViewport({ width: phone.width, height: phone.height });
+  await frames(page, 2);
+  assert.deepEqual(await lost(page), [], `${path} on a phone at 200 %`);
 }
 
 test('each page opens without an error, asks nobody else, is accessible and loses nothing', async () => {
