@@ -1,6 +1,7 @@
 //! Tells whether cells fit a surface: its curvature, its thickness, and the number that a machine can pack.
 
 use crate::notice::{Code, Notice};
+use crate::order;
 use crate::surface_field::SurfaceFields;
 use crate::trimesh::search::nearest_in;
 use crate::trimesh::{Search, SurfacePoint, TriMesh};
@@ -81,6 +82,8 @@ pub struct Fit {
     pub too_tight: f64,
     /// Where the other side is closer than half the side of a cell.
     pub thin: f64,
+    /// The factor on the side of cells with which they are too large on just half of the area.
+    pub largest: f64,
 }
 
 /// Measures how cells fit.
@@ -89,6 +92,8 @@ pub struct Fitting {
     at: usize,
     area: f64,
     sums: Fit,
+    /// Of each measured triangle, the side of its cell over the largest that can follow the surface, and its area.
+    sides: Vec<[f64; 2]>,
 }
 
 impl Fitting {
@@ -113,12 +118,30 @@ impl Fitting {
             self.measure(mesh, search, local, t as u32);
         }
         self.at = end;
+        (end == count).then(|| self.fit())
+    }
+
+    fn fit(&mut self) -> Fit {
         let share = |sum: f64| sum / self.area;
-        (end == count).then(|| Fit {
-            tight: share(self.sums.tight),
-            too_tight: share(self.sums.too_tight),
-            thin: share(self.sums.thin),
-        })
+        let [tight, too_tight, thin] =
+            [self.sums.tight, self.sums.too_tight, self.sums.thin].map(share);
+        Fit {
+            tight,
+            too_tight,
+            thin,
+            largest: self.largest(),
+        }
+    }
+
+    /// The factor on the side of cells with which a share of [`MOST`] of the area is too round for them.
+    fn largest(&mut self) -> f64 {
+        order::sort(&mut self.sides, |[side, _]| (!order::rank(*side), 0));
+        let mut round = 0.0;
+        let last = self.sides.iter().find(|[_, area]| {
+            round += area;
+            round > MOST * self.area
+        });
+        last.map_or(f64::INFINITY, |[side, _]| 1.0 / side)
     }
 
     fn measure(&mut self, mesh: &TriMesh, search: &Search, local: &impl Local, t: u32) {
@@ -130,6 +153,7 @@ impl Fitting {
         let is_both = curvatures[0].min(curvatures[1]) >= BOTH * most;
         let limit = if is_both { TOO_TIGHT[0] } else { TOO_TIGHT[1] };
         self.area += area;
+        self.sides.push([most * size / limit, area]);
         if most * size > TIGHT {
             self.sums.tight += area;
         }

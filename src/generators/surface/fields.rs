@@ -3,9 +3,10 @@
 
 use super::build::{Built, size_params};
 use super::params::{FieldParams, Follow};
-use super::tracing;
+use super::{SCHEMA, keys, tracing};
+use crate::decimal;
 use crate::notice::Notice;
-use crate::surface_field::fit::{Fitting, check_count};
+use crate::surface_field::fit::{Fit, Fitting, check_count};
 use crate::surface_field::{
     AspectParams, DirectionParams, FlowParams, Stroke, SurfaceFieldBuilder, SurfaceFieldParams,
     SurfaceFields,
@@ -85,7 +86,10 @@ impl Fielding {
             FieldingPhase::Fit(mut three) => {
                 let (fields, search, fitting) = &mut *three;
                 if let Some(fit) = fitting.advance(mesh, search, fields) {
-                    let (notices, (fields, ..)) = (fit.notices()?, *three);
+                    let notices = fit
+                        .notices()
+                        .map_err(|told| with_count(told, params, &fit))?;
+                    let (fields, ..) = *three;
                     return Ok(Some(FieldsWithRemarks {
                         fields,
                         strokes,
@@ -113,6 +117,27 @@ impl Fielding {
             step: FieldingPhase::Fields(Box::new(builder)),
         }
     }
+}
+
+/// Names the number of cells that can follow the surface, or the most that there may be.
+fn with_count(told: Notice, params: &FieldParams, fit: &Fit) -> Notice {
+    let Some(row) = SCHEMA.row(keys::CN.0) else {
+        return told;
+    };
+    let fits = round_up(params.sizes.count / (fit.largest * fit.largest));
+    told.with("row", row)
+        .with("fits", decimal::text(fits.min(row.max)))
+}
+
+/// A number of cells of two digits, at least a quarter above `count`: the mesh for more cells is finer, so that its
+/// curvature is measured higher.
+fn round_up(count: f64) -> f64 {
+    let wanted = 1.25 * count;
+    let mut digit = 10.0;
+    while wanted > 100.0 * digit {
+        digit *= 10.0;
+    }
+    (wanted / digit).ceil() * digit
 }
 
 fn is_drawn(params: &FieldParams) -> bool {

@@ -4,7 +4,7 @@ use super::params::Params;
 use super::schema::ROWS;
 use super::{SCHEMA, SURFACE, keys};
 use crate::generators::{ALL, MissingFile, TurnOrder};
-use crate::notice::Code;
+use crate::notice::{Arg, Code};
 use crate::recipe::{MAX_NAME, NamedFile, Recipe};
 use crate::scene::Camera;
 use crate::shapes::Shape;
@@ -97,6 +97,25 @@ fn only_what_is_asked_otherwise_is_made_anew() {
     // Earlier recipes leave no trace.
     let again = finished(&studio.recipe().link());
     assert_eq!(studio.digest(), again.digest());
+}
+
+#[test]
+fn too_few_cells_are_refused_with_a_number_that_fits() {
+    for link in [
+        "v=1&make=surface&form=knot&cn=30",
+        "v=1&make=surface&form=vase&cn=30&kind=circle",
+    ] {
+        let mut studio = studio(link);
+        let told = studio.finish(&mut || 0.0).expect_err(link);
+        assert_eq!(told.code, Code::SurfaceTooTight, "{link}: {told}");
+        let fits = told.args.iter().find(|(name, _)| *name == "fits");
+        let Some((_, Arg::Text(fits))) = fits else {
+            panic!("{told:?}")
+        };
+        set(&mut studio, "cn", fits);
+        let ended = studio.finish(&mut || 0.0);
+        assert!(ended.is_ok(), "{link} with {fits}: {ended:?}");
+    }
 }
 
 #[test]
