@@ -17,11 +17,20 @@ const KINK: f64 = 0.0175;
 impl Draft {
     /// The draft with a back and with narrow sides for each flat face that has a thickness and meets no other face. The
     /// narrow sides have the labels of the face. Where lines and arcs follow each other smoothly, as along a jamb and a
-    /// round arch, they have one narrow side.
+    /// round arch, they have one narrow side. Faces thinner than `least` (metres) stay single, as narrow sides have no room
+    /// for the blocks of two corners.
     ///
     /// # Errors
     /// The first fault in the numbers, surfaces or loops of the draft.
-    pub fn thickened(&self) -> Result<Self, BuildingFault> {
+    pub fn thickened(&self, least: f64) -> Result<Self, BuildingFault> {
+        let is_thick = |thickness: f64| thickness >= least;
+        if !self
+            .faces
+            .iter()
+            .any(|face| face.thickness.is_some_and(is_thick))
+        {
+            return Ok(self.clone());
+        }
         checking::check(self)?;
         let sides = sides::join(self)?;
         let mut draft = self.clone();
@@ -34,6 +43,7 @@ impl Draft {
             if let (Some(thickness), Some(surface), true) =
                 (face.thickness, &face.surface, is_alone)
                 && surface.is_flat()
+                && is_thick(thickness)
             {
                 let back = -surface.frame(0.0, 1.0).normal * thickness;
                 draft.faces[k].thickness = None;
@@ -156,13 +166,14 @@ mod tests {
     #[test]
     fn a_single_wall_becomes_a_block() {
         let sheet = Rule::Sheet.draft(&Module::NORMAL, &[30.0, 20.0, 2.0]);
-        let solid = built("solid", &sheet.thickened().unwrap());
+        let solid = built("solid", &sheet.thickened(0.239).unwrap());
         assert_eq!((solid.faces().len(), solid.corners().len()), (6, 8));
         assert!(solid.edges().iter().all(|edge| edge.bend == Bend::Convex));
         assert!(solid.warnings().is_empty());
         let depths = solid.edges().iter().map(|edge| edge.length());
         let least = depths.fold(f64::INFINITY, f64::min);
         assert!((least - 0.24).abs() < 1e-9);
+        assert_eq!(sheet.thickened(0.25), Ok(sheet));
     }
 
     #[test]
@@ -174,7 +185,7 @@ mod tests {
             .and_then(|rest| rest.split("```").next());
         let mut draft = json::read(text.unwrap()).unwrap();
         draft.faces[0].thickness = Some(0.3);
-        let solid = built("solid", &draft.thickened().unwrap());
+        let solid = built("solid", &draft.thickened(0.0).unwrap());
         // Front, back and four ends; a sill, and one face for both jambs and their arch.
         assert_eq!(solid.faces().len(), 8);
         assert!(solid.edges().iter().all(|edge| edge.bend != Bend::Open));
@@ -182,6 +193,6 @@ mod tests {
         assert_eq!(curved.count(), 1);
         // A face that meets another one stays as it is.
         let block = Rule::Block.draft(&Module::NORMAL, &[]);
-        assert_eq!(block.thickened(), Ok(block.clone()));
+        assert_eq!(block.thickened(0.0), Ok(block.clone()));
     }
 }

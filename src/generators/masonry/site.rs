@@ -20,6 +20,8 @@ use std::sync::Arc;
 const JSON: u8 = b'{';
 /// The most blocks of a building.
 pub(super) const MOST_BLOCKS: f64 = 60_000.0;
+/// A wall of two half bricks may be this much thinner (metres), for rounded numbers.
+const NARROWER: f64 = 1e-6;
 /// The parts of the half picture that the building and the rim of its ground may take.
 const SHARE: f64 = 0.82;
 const RIM_SHARE: f64 = 0.94;
@@ -84,10 +86,10 @@ impl SiteBuild {
             (Some((Rule::Plan, numbers)), _) => {
                 let (draft, faults) = params.plan.draft(&params.module, numbers);
                 remarks = plan_sentences::remarks(&faults);
-                SiteStep::meshes(draft, None)
+                SiteStep::meshes(draft, None, params)
             }
             (Some((rule, numbers)), _) => {
-                SiteStep::meshes(rule.draft(&params.module, numbers), None)
+                SiteStep::meshes(rule.draft(&params.module, numbers), None, params)
             }
             (None, Some(bytes)) => {
                 SiteStep::read(bytes).map_err(|fault| sentences::unread(&fault))?
@@ -144,10 +146,12 @@ impl SiteStep {
         }
     }
 
-    /// Begins with the meshes of a draft.
-    fn meshes(draft: Draft, given: Option<Draft>) -> Self {
+    /// Begins with the meshes of a draft, in which walls of single polygons are solids if their ends have room for two
+    /// half bricks. A draft with a fault stays as it is, and its meshes tell the fault.
+    fn meshes(draft: Draft, given: Option<Draft>, params: &BuildingParams) -> Self {
+        let least = 2.0 * params.module.half - params.module.joint - NARROWER;
         Self::Meshes {
-            draft: draft.sorted(),
+            draft: draft.thickened(least).unwrap_or(draft).sorted(),
             given,
             making: BuildingMaking::default(),
         }
@@ -159,7 +163,7 @@ impl SiteStep {
             Self::Parsed(value) => json::draft(&value)
                 .map(Self::Read)
                 .map_err(|fault| sentences::unread(&fault)),
-            Self::Read(draft) => Ok(Self::meshes(draft.clone(), Some(draft))),
+            Self::Read(draft) => Ok(Self::meshes(draft.clone(), Some(draft), params)),
             Self::Meshes {
                 draft,
                 given,

@@ -9,7 +9,7 @@ use crate::building::{DrawnPlan, Module, Rule};
 use crate::export::{DETAILS, MeshFormat, MeshOrder};
 use crate::generators::{Engine, Files, GivenFile, Meshes, Viewing};
 use crate::masonry::laying::LayingPass;
-use crate::masonry::tree::TreePreset;
+use crate::masonry::tree::{PatternGenerator, TreePreset};
 use crate::notice::{Arg, Code, Notice};
 use crate::recipe::{Kind, Recipe};
 use std::collections::BTreeSet;
@@ -282,6 +282,22 @@ fn each_pass_ends_with_a_step() {
     assert_eq!(ends.len(), 4);
     assert!(ends.iter().all(|(_, end)| steps.contains(&(*end as u32))));
     assert!(steps.len() > 100 && steps.is_sorted());
+}
+
+#[test]
+fn a_single_wall_of_two_half_bricks_or_more_is_a_solid() {
+    for (thickness, faces) in [(1, 1), (2, 6), (5, 6)] {
+        for pattern in ["coped", "ashlar&module=ashlar"] {
+            let link = format!("building=sheet&sheet_thickness={thickness}&pattern={pattern}");
+            let engine = laid(&format!("make=masonry&size=128&{link}")).expect(&link);
+            let site = engine.made.site.made().expect("a site");
+            assert_eq!(site.building.faces().len(), faces, "{link}");
+            let laying = engine.made.cells.made().expect("cells");
+            let mut cells = laying.cells().iter();
+            let has_coping = cells.any(|cell| cell.generator == PatternGenerator::Coping);
+            assert_eq!(has_coping, faces > 1 && pattern == "coped", "{link}");
+        }
+    }
 }
 
 #[test]
