@@ -3,7 +3,7 @@
 
 use super::Clock;
 use super::given::{GivenFile, MissingFile};
-use super::turntable::{FrameSlice, SeenBody, TurnOrder};
+use super::turntable::{FrameSlice, SeenBody, SeenLabel, TurnOrder};
 use crate::notice::Notice;
 use crate::scene::Frame;
 
@@ -30,6 +30,11 @@ pub trait Frames {
     /// The caption of the shown view: what its colours mean, or counts.
     fn caption(&self, _words: &str) -> Option<Notice> {
         None
+    }
+
+    /// The labels that the shown view has in the last frame, the most important one first.
+    fn labels(&self) -> Vec<SeenLabel> {
+        Vec::new()
     }
 
     /// The place on the model at a pixel of the last frame, as rows of strokes and spots hold places; `None` beside the

@@ -43,7 +43,7 @@ pub use inspection::{Histogram, JoinedCells, JoinedTriangle, Polygon, Probe, Pro
 pub use offers::{Drafts, Inspect, Maps, MeshSlice, Meshes, Outlines, PictureSlice, Rewind, Steps};
 pub use preset::{MeasuredPart, Preset, Timing};
 #[cfg(house)]
-pub use turntable::{FrameSlice, SeenBody, TurnOrder};
+pub use turntable::{FrameSlice, SeenBody, SeenLabel, TurnOrder};
 #[cfg(all(house, not(target_arch = "wasm32")))]
 pub use viewing::Viewing;
 

@@ -101,6 +101,15 @@ pub struct SeenBody {
     pub words: Vec<(&'static str, String)>,
 }
 
+/// A label at a pixel of a frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SeenLabel {
+    /// The label, as the building has it.
+    pub text: String,
+    /// The pixel, from the top left corner of the frame.
+    pub pixel: [f64; 2],
+}
+
 /// The inputs of a frame, to know whether a new frame must begin.
 #[derive(Clone, PartialEq)]
 struct FrameKey {

@@ -3,7 +3,7 @@
 use super::said::{notice, or_why};
 use super::{Bubblestone, object, objects};
 use crate::export::{FramePlane, frame_map};
-use crate::generators::{ALL, FrameSlice, Frames, TurnOrder};
+use crate::generators::{ALL, FrameSlice, Frames, SeenLabel, TurnOrder};
 use crate::notice::{Code, Notice};
 use crate::scene::Camera;
 use crate::studio::Studio;
@@ -22,6 +22,9 @@ export interface FrameSlice {
   /** The RGBA pixels (alpha is not premultiplied) from the top, when one more sample is done: the mean so far. */
   pixels?: Uint8Array<ArrayBuffer>;
 }
+
+/** A label at a pixel of a frame, from the top left corner. */
+export interface SeenLabel { text: string; x: number; y: number }
 
 /** A body at a pixel of a frame. */
 export interface SeenBody {
@@ -115,6 +118,18 @@ impl Bubblestone {
     pub fn place_at(&mut self, x: u32, y: u32) -> Option<Vec<i32>> {
         let place = self.frames()?.place_at(x as usize, y as usize)?;
         Some(place.map(|n| n as i32).to_vec())
+    }
+
+    /// The labels that the shown view has in the frame last finished, the most important one first, at its pixels.
+    #[wasm_bindgen(unchecked_return_type = "SeenLabel[]")]
+    pub fn labels(&mut self) -> Array {
+        let labels = self.frames().map_or(Vec::new(), |frames| frames.labels());
+        let label =
+            |SeenLabel {
+                 text,
+                 pixel: [x, y],
+             }| { object(&[("text", text.into()), ("x", x.into()), ("y", y.into())]) };
+        labels.into_iter().map(label).collect()
     }
 
     /// The caption of a view.

@@ -115,6 +115,27 @@ test('each view has a frame and sentences of its own', sameEverywhere, async () 
   await close();
 });
 
+test('the view of features has labels that lie on no other, and no other view has any', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage('#v=1&make=masonry&building=wall&size=128&view=features');
+  await page.waitForSelector('.turn-label');
+  await made(page);
+  const labels = await page.$$eval('.turn-label', (all) =>
+    all.map((label) => {
+      const { left, right, top, bottom } = label.getBoundingClientRect();
+      return { text: label.textContent, left, right, top, bottom };
+    }),
+  );
+  assert.ok(labels.some(({ text }) => text.includes('Window')), JSON.stringify(labels));
+  for (const [k, a] of labels.entries()) {
+    const meets = labels.slice(k + 1).filter((b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom);
+    assert.deepEqual(meets, [], a.text);
+  }
+  await page.select('#view', 'sizes');
+  await page.waitForFunction(() => !document.querySelector('.turn-label'));
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test('the laying is held at the block of a link, goes on block by block, and is held so again', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(`${BRICKS}&step=40`);
   const forty = await held(page, 40);

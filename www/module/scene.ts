@@ -2,7 +2,7 @@
 import type * as pavements from '../../pkg/bubblestone.js';
 import type * as house from '../../pkg-house/bubblestone.js';
 
-type Beyond = 'turn' | 'bodyAt' | 'frameMap' | 'making' | 'frameHash' | 'placeAt' | 'pixelOf' | 'beginFile' | 'addToFile' | 'giveFile' | 'missingFiles' | 'modelFacts' | 'recipeFiles' | 'caption';
+type Beyond = 'turn' | 'bodyAt' | 'frameMap' | 'making' | 'frameHash' | 'placeAt' | 'pixelOf' | 'beginFile' | 'addToFile' | 'giveFile' | 'missingFiles' | 'modelFacts' | 'recipeFiles' | 'caption' | 'labels';
 
 /** A studio with its scene. */
 export type SceneStudio = pavements.Bubblestone & Pick<house.Bubblestone, Beyond>;

@@ -1,5 +1,5 @@
 /** The page's side of the worker that makes frames: it sends the latest request there and receives frames. */
-import type { FrameSource, Heard, BodyInfo, Wished } from '../picture/frames/source';
+import type { FrameSource, Heard, BodyInfo, PlacedLabel, Wished } from '../picture/frames/source';
 import type { About, Question, FrameMessage, Wish } from './turn.worker';
 
 /** The answer to a question. */
@@ -37,6 +37,11 @@ export class Frames implements FrameSource {
   async outlineOf(id: number, fine: number): Promise<ImageData | undefined> {
     const answer = await this.answer({ outline: id, fine });
     return answer && 'outline' in answer ? answer.outline : undefined;
+  }
+
+  /** The worker's frames are of pavements, whose views have no labels. */
+  labels(): Promise<readonly PlacedLabel[]> {
+    return Promise.resolve([]);
   }
 
   private async body(about: About): Promise<BodyInfo | undefined> {

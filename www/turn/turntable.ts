@@ -18,6 +18,7 @@ import { componentIn } from './components';
 import { CutTool } from './cut';
 import { Frames } from './frames';
 import { CLOSER, Gestures } from './gestures';
+import { Labels } from './labels';
 import { Making } from './making';
 import { Outline } from './outline';
 import { planes } from './planes';
@@ -85,6 +86,7 @@ export class Turntable {
   private readonly working = make('div', { class: 'turn-working' }, make('span', { role: 'status' }, t('working')), this.bar);
   private readonly making: Making;
   private readonly card: Card;
+  private readonly labels = new Labels(() => this.frames.labels());
   private readonly outline = new Outline((id) => this.frames.outlineOf(id, this.canvas.width / Math.max(1, this.stand.clientWidth)));
   private readonly root: HTMLElement;
   private readonly frames: FrameSource;
@@ -137,7 +139,7 @@ export class Turntable {
       },
       place.alone === true,
     );
-    this.root = make('div', { class: 'turn' }, make('div', { class: 'turn-frame' }, this.stand, this.outline.element, this.card.element), this.making.strip, this.working, this.told);
+    this.root = make('div', { class: 'turn' }, make('div', { class: 'turn-frame' }, this.stand, this.outline.element, this.labels.element, this.card.element), this.making.strip, this.working, this.told);
     if (!place.alone && !kept(DRAGGED)) this.root.append(this.hint);
     if (place.slice) this.tools.push(this.cutTool.element);
     if (place.leave) this.tools.push(planes((plane) => this.choose(plane)), this.wayOut());
@@ -276,6 +278,7 @@ export class Turntable {
     canvas.getContext('bitmaprenderer')?.transferFromImageBitmap(frame);
     this.root.toggleAttribute('data-shown', true);
     this.outline.framed(quality !== 'moving');
+    this.labels.framed(quality !== 'moving');
     this.place.framed?.(quality !== 'moving');
     if (!latest) return;
     this.shown = this.place.link();

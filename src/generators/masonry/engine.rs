@@ -2,8 +2,8 @@
 
 use super::MasonryEngine;
 use super::stages::BLOCKS;
-use crate::generators::Progress;
 use crate::generators::scene_picture::SceneFacts;
+use crate::generators::{Progress, SeenLabel};
 use crate::graph::Wiring;
 use crate::notice::Notice;
 
@@ -34,6 +34,10 @@ impl SceneFacts for MasonryEngine {
 
     fn words_of(&self, id: u32) -> Vec<(&'static str, String)> {
         self.named(id)
+    }
+
+    fn labels_seen(&self) -> Vec<SeenLabel> {
+        self.labels_in_frame()
     }
 
     fn steps_of(&self, id: u32) -> Vec<String> {

@@ -19,6 +19,7 @@ mod ground;
 mod kept;
 #[cfg(test)]
 mod kept_tests;
+mod labels;
 #[cfg(test)]
 mod look_tests;
 mod making;

@@ -1,14 +1,14 @@
 //! Properties of the views' scenes.
 
-use super::MasonryEngine;
 use super::colours::type_of;
 use super::diagrams::{Diagram, DiagramWork, STATES, Texture, clipped, lines, map_scene, occupied};
 use super::figures::size;
 use super::tests::laid;
 use super::views::MasonryView;
+use super::{MASONRY, MasonryEngine};
 use crate::building::FaceId;
-use crate::generators::Engine;
 use crate::generators::scene_picture::SceneSource;
+use crate::generators::{Engine, SeenLabel, TurnOrder};
 use crate::masonry::footprint::Footprint;
 use crate::masonry::laying::{CellSort, Feature, Laying};
 use crate::masonry::occupancy::Bitmap;
@@ -251,6 +251,47 @@ fn a_texture_breaks_at_edges_where_cells_do_not() {
         right - left > 0.05 && from > -0.62 && to < 0.62,
         "{from} {left} {right} {to}"
     );
+}
+
+#[test]
+fn labels_of_visible_features_stand_on_bodies() {
+    let mut engine = engine("building=gabled");
+    let mut labels = |view: &str| {
+        let order = TurnOrder {
+            subject: String::new(),
+            camera: MASONRY.camera(),
+            size: [200, 200],
+            how: format!("still+nothing+{view}"),
+        };
+        let frames = engine.frames().expect("frames");
+        while !frames
+            .turn(&order, &mut || 0.0, f64::INFINITY)
+            .expect("a frame")
+            .done
+        {}
+        let labels = frames.labels();
+        // Panes of glass are no blocks, and blocks of edges have the labels of both faces.
+        let mut is_on_own = |SeenLabel {
+                                 text,
+                                 pixel: [x, y],
+                             }: &SeenLabel| {
+            let body = frames.body_at(*x as usize, *y as usize);
+            let mut words = body.into_iter().flat_map(|body| body.words);
+            words.any(|(of, word)| of == "labels" && &word == text)
+        };
+        let on_own = labels.iter().filter(|label| is_on_own(label)).count();
+        assert!(3 * on_own >= labels.len(), "{on_own} of {labels:?}");
+        labels
+    };
+    let texts = labels("features").into_iter().map(|label| label.text);
+    let texts: BTreeSet<String> = texts.collect();
+    assert!(
+        ["Roof", "Window", "Window, Sill"]
+            .iter()
+            .all(|&text| texts.contains(text)),
+        "{texts:?}"
+    );
+    assert_eq!(labels("sizes"), []);
 }
 
 #[test]

@@ -7,7 +7,7 @@ use super::view::first_known;
 use crate::export::Report;
 use crate::generators::{
     Clock, Engine, Files, FrameSlice, Frames, GivenFile, Meshes, MissingFile, ModelFacts, Progress,
-    Rewind, SeenBody, TurnOrder,
+    Rewind, SeenBody, SeenLabel, TurnOrder,
 };
 use crate::graph::{Node, Wiring};
 use crate::notice::Notice;
@@ -114,6 +114,11 @@ pub(crate) trait SceneFacts: Meshes {
 
     /// The caption of a view that is shown.
     fn caption_of(&self, words: &str) -> Option<Notice>;
+
+    /// The labels that the shown view has in the last frame, the most important one first.
+    fn labels_seen(&self) -> Vec<SeenLabel> {
+        Vec::new()
+    }
 
     /// The words of the steps in the making of a body.
     fn steps_of(&self, _id: u32) -> Vec<String> {
@@ -278,6 +283,10 @@ where
 
     fn caption(&self, words: &str) -> Option<Notice> {
         self.caption_of(words)
+    }
+
+    fn labels(&self) -> Vec<SeenLabel> {
+        self.labels_seen()
     }
 
     fn place_at(&self, x: usize, y: usize) -> Option<[i64; 3]> {

@@ -8,7 +8,7 @@ import type { Notice } from '../../module/types';
 import type { Engine } from '../../state/engine';
 import { FrameMaker, type Made } from './maker';
 import { sortOf } from './sort';
-import type { Beat, FramePlace, FrameSource, Heard, Painter, BodyInfo, Wished } from './source';
+import type { Beat, FramePlace, FrameSource, Heard, Painter, BodyInfo, PlacedLabel, Wished } from './source';
 
 /** The answer if there is nothing to see yet. */
 const NOT_YET: Notice = { code: 'not_yet', args: {}, text: '' };
@@ -64,6 +64,12 @@ export class LocalFrames implements FrameSource, Painter {
 
   outlineOf(id: number, fine: number): Promise<ImageData | undefined> {
     return Promise.resolve(this.maker.outlineOf(id, fine));
+  }
+
+  labels(): Promise<readonly PlacedLabel[]> {
+    const { sides } = this.maker;
+    const labels = sides ? (this.ask((studio) => studio.labels()) ?? []) : [];
+    return Promise.resolve(labels.map(({ text, x, y }) => ({ text, at: [x / (sides?.[0] ?? 1), y / (sides?.[1] ?? 1)] })));
   }
 
   /** The place on the model at a place of the last frame, in fractions of its sides; undefined beside the model. */

@@ -57,6 +57,12 @@ export interface Heard {
 /** A place in the frame, in fractions of its sides. */
 export type FramePlace = readonly [u: number, v: number];
 
+/** A label of the shown view, at a place of a frame. */
+export interface PlacedLabel {
+  readonly text: string;
+  readonly at: FramePlace;
+}
+
 /** A source of frames. */
 export interface FrameSource {
   /** Requests frames; true if they differ from those requested before. */
@@ -67,6 +73,8 @@ export interface FrameSource {
   bodyOf(id: number): Promise<BodyInfo | undefined>;
   /** The outline of a body in the last frame; `fine` is the number of the frame's pixels for one of the page. */
   outlineOf(id: number, fine: number): Promise<ImageData | undefined>;
+  /** The labels of the view in the last frame, the most important one first. */
+  labels(): Promise<readonly PlacedLabel[]>;
   /** Ends the source: no more frames are requested. */
   end(): void;
 }
