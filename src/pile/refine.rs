@@ -11,6 +11,7 @@ use crate::order::{greater, rank};
 use crate::random::{Purpose, Random};
 use crate::trimesh::{Search, TriMesh};
 use glam::DVec3;
+use std::rc::Rc;
 use std::sync::Arc;
 
 /// Orientations that are tried at a dart until the body passes no wall.
@@ -76,6 +77,8 @@ pub struct Refining {
     order: Vec<u32>,
     next: usize,
     settled: Settled,
+    /// All bodies as a finished run has left them, if they are settled again.
+    known: Option<Rc<[Body]>>,
 }
 
 impl Refining {
@@ -102,7 +105,14 @@ impl Refining {
             order,
             next: 0,
             settled,
+            known: None,
         }
+    }
+
+    /// Settles the bodies as a finished run with the same mesh, darts, kinds, walls and parameters did, without any
+    /// search. `known` has its [`Refining::bodies`].
+    pub fn recalling(self, known: Option<Rc<[Body]>>) -> Self {
+        Self { known, ..self }
     }
 
     /// All bodies, in the order of their darts.
@@ -120,7 +130,10 @@ impl Refining {
         let end = self.order.len().min(self.next + amount.max(1));
         for k in self.next..end {
             let number = self.order[k] as usize;
-            let settled = self.settle(mesh, search, self.bodies[number]);
+            let settled = match &self.known {
+                Some(known) => known[number],
+                None => self.settle(mesh, search, self.bodies[number]),
+            };
             if settled.fate == Fate::Kept {
                 self.settled.add(&settled, &self.kinds);
             }

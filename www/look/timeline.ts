@@ -3,7 +3,8 @@
  *
  * An engine only works forwards. To go back, it begins the steps again and runs unseen up to the step that is asked
  * for; the stages before the steps keep their results. Some engines store states on the first such run, and start from
- * the nearest state later. The number of steps is known once the forming has come to its end.
+ * the nearest state later. Those of piles and of masonry take each body from the last finished run. The number of steps
+ * is known once the forming has come to its end.
  */
 import { t } from '../words/look';
 import { byId, make, say } from '../base/dom';

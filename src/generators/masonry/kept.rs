@@ -1,12 +1,10 @@
 //! Blocks of the last finished wall that stay in sight after an edit, until the new ones are laid in their places.
 
 use super::params::BlockParams;
-use super::shapes::WallShapes;
 use crate::masonry::laying::MasonryCell;
 use crate::scene::{Body, Instance, Scene};
 use crate::surface_stones::Fit;
 use std::collections::BTreeMap;
-use std::rc::Rc;
 
 /// The cells and the looks of the last finished wall.
 pub(super) struct LastWall {
@@ -14,8 +12,6 @@ pub(super) struct LastWall {
     pub marks: Vec<u32>,
     pub params: BlockParams,
     pub fit: Fit,
-    /// The shapes of its blocks.
-    pub shapes: Rc<WallShapes>,
 }
 
 /// The blocks that have their places in the new wall, too.

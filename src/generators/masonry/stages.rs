@@ -8,6 +8,7 @@ use super::params::{
     BlockParams, BuildingParams, GroundParams, LookParams, MasonryParams, PatternParams,
 };
 use super::setting::WallScene;
+use super::shapes::WallShapes;
 use super::site::{BuildingSite, SiteBuild};
 use super::{sentences, views};
 use crate::building::Building;
@@ -86,6 +87,8 @@ pub(crate) struct MasonryStages {
     pub(super) laid: Node<BlockParams, Wall, Scene>,
     /// The last finished wall. `None` before the first one, and when the steps are made again without an edit.
     last: Option<LastWall>,
+    /// The shapes of the last finished wall's blocks, also when the steps are made again: that takes no stonecutting.
+    shapes: Option<Rc<WallShapes>>,
     /// Blocks of the last wall that stay in sight while the new wall is laid.
     pub(super) kept: KeptBlocks,
 }
@@ -126,6 +129,7 @@ impl SceneStages for MasonryStages {
             laid: Node::new(params.blocks),
             shared: SharedNodes::new(params.files, params.look, params.still),
             last: None,
+            shapes: None,
             kept: KeptBlocks::default(),
         }
     }
@@ -214,10 +218,10 @@ impl MasonryStages {
             self.kept = self.standing().unwrap_or_default();
         }
         let kept = &self.kept;
-        let shapes = self.last.as_ref().map(|last| &last.shapes);
+        let known = &self.shapes;
         let mut finished = None;
         self.laid.advance(|params, work| {
-            let wall = work.get_or_insert_with(|| Wall::new(site, params, cells, shapes.cloned()));
+            let wall = work.get_or_insert_with(|| Wall::new(site, params, cells, known.clone()));
             let end = wall.shown() + in_a_step(cells, wall.shown(), kept);
             wall.lay(cells, end);
             if end < cells.len() {
@@ -226,15 +230,17 @@ impl MasonryStages {
             let Some((scene, shapes)) = work.take().map(Wall::finish) else {
                 return Ok(None);
             };
-            finished = Some(LastWall {
+            let last = LastWall {
                 marks: marks(cells),
                 params: *params,
                 fit: site.fit,
-                shapes,
-            });
+            };
+            finished = Some((last, shapes));
             Ok(Some(scene))
         })?;
-        self.last = finished.or(self.last.take());
+        if let Some((last, shapes)) = finished {
+            (self.last, self.shapes) = (Some(last), Some(shapes));
+        }
         Some(())
     }
 

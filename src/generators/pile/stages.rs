@@ -13,7 +13,7 @@ use crate::export::SceneFile;
 use crate::generators::scene_picture::{MadeScene, Saving, SceneStages, SharedNodes};
 use crate::graph::{Node, Task, Wiring, task};
 use crate::notice::Notice;
-use crate::pile::{RefineParams, Refining};
+use crate::pile::{Body, RefineParams, Refining};
 use crate::recipe::Recipe;
 use crate::surface_views::BareSurface;
 use std::rc::Rc;
@@ -42,7 +42,12 @@ pub(crate) struct PileStages {
     pub(super) ground: Node<RoomParams, BareSurface, BareSurface>,
     pub(super) placed: Node<DartParams, Placing, Placed>,
     pub(super) settled: Node<RefineParams, Refining, Refining>,
+    /// The bodies of the last finished run whose steps were made again, and what that run was made from.
+    pub(super) known: Option<(SettledFrom, Rc<[Body]>)>,
 }
+
+/// What bodies settle from: the revisions of darts and shape, and the parameters.
+pub(super) type SettledFrom = ([u64; 2], RefineParams);
 
 impl Wiring for PileStages {
     type Stage = usize;
@@ -89,6 +94,7 @@ impl SceneStages for PileStages {
             ground: Node::new(params.room),
             placed: Node::new(params.darts),
             settled: Node::new(params.refine),
+            known: None,
         }
     }
 
@@ -112,6 +118,10 @@ impl SceneStages for PileStages {
     }
 
     fn forget_steps(&mut self) {
+        let run = self.settled.made();
+        let run = run.filter(|_| self.is_fresh(&self.settled));
+        let known = run.map(|run| (self.settled_from(), run.bodies().into()));
+        self.known = known.or(self.known.take());
         self.settled.forget();
     }
 
@@ -168,7 +178,15 @@ impl PileStages {
             .advance(|params, work| Placing::advance(params, work, from))
     }
 
+    fn settled_from(&self) -> SettledFrom {
+        let inputs = [self.placed.revision(), self.site.revision()];
+        (inputs, *self.settled.params())
+    }
+
     fn refine(&mut self) -> Option<()> {
+        let from = self.settled_from();
+        let known = self.known.as_ref().filter(|(of, _)| *of == from);
+        let known = known.map(|(_, bodies)| bodies.clone());
         let (placed, site) = (self.placed.made()?, self.site.made()?);
         self.settled.advance(|&params, work| {
             let new = || {
@@ -179,7 +197,8 @@ impl PileStages {
                     stays,
                     ..
                 } = placed;
-                Refining::new(&site.mesh, darts, stays, kinds.clone(), walls, params)
+                let run = Refining::new(&site.mesh, darts, stays, kinds.clone(), walls, params);
+                run.recalling(known)
             };
             let refining = work.get_or_insert_with(new);
             let step = (placed.darts.len() / STEPS).clamp(1, MOST);

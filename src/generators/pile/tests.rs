@@ -340,6 +340,36 @@ fn components_stay_while_others_change() {
 }
 
 #[test]
+fn steps_that_are_made_again_take_their_bodies_from_the_last_run() {
+    let again = |engine: &mut PileEngine| {
+        while engine.is_forming() {
+            engine.advance();
+        }
+        let settled = engine.made.settled.made().expect("bodies");
+        settled.bodies().to_vec()
+    };
+    let mut engine = settled(&recipe("make=pile&c1=ball&ps=5")).expect("a pile");
+    let (first, digest) = (again(&mut engine), engine.digest());
+    engine.forget_steps();
+    assert_eq!(again(&mut engine), first);
+    assert_eq!(engine.digest(), digest);
+    // A body that was moved in between tells that no place was searched.
+    engine.forget_steps();
+    let mut moved = first.clone();
+    let body = moved.iter_mut().find(|body| body.fate == Fate::Kept);
+    body.expect("a body").t += 0.25;
+    engine.made.known.as_mut().expect("bodies").1 = moved.clone().into();
+    assert_eq!(again(&mut engine), moved);
+    // Another recipe has bodies of its own.
+    let other = recipe("make=pile&c1=ball&ps=5&seed=2");
+    engine.forget_steps();
+    engine.ask(&other);
+    engine.take_up();
+    again(&mut engine);
+    assert_eq!(engine.digest(), settled(&other).expect("a pile").digest());
+}
+
+#[test]
 fn wishes_at_random_end_in_a_pile_or_a_sentence() {
     let forms = [
         "riceball", "heap", "bowl", "openbox", "terrain", "sphere", "torus", "letter",
