@@ -13,10 +13,15 @@ import { root, say, start, Stop } from './lib/run.mjs';
 /** Rounds; each goes through all visits, so that other work of the machine slows all of them alike. */
 const ROUNDS = 5;
 
-/** The machines: a connection (bits per second, milliseconds to the host and back) and the factor of a slower processor. */
+/**
+ * The machines: a connection (bits per second, milliseconds to the host and back), the host's compression, and the factor
+ * of a slower processor. Every host has gzip, and many have brotli as well.
+ * @type {Record<string, { bits: number, latency: number, coding: import('./lib/host.mjs').Coding, slower: number }>}
+ */
 const machines = {
-  '9 Mbit/s, 100 ms': { bits: 9e6, latency: 100, slower: 4 },
-  '1.6 Mbit/s, 150 ms': { bits: 1.6e6, latency: 150, slower: 4 },
+  '9 Mbit/s, 100 ms': { bits: 9e6, latency: 100, coding: 'gzip', slower: 4 },
+  '1.6 Mbit/s, 150 ms': { bits: 1.6e6, latency: 150, coding: 'gzip', slower: 4 },
+  '1.6 Mbit/s, 150 ms, brotli': { bits: 1.6e6, latency: 150, coding: 'br', slower: 4 },
 };
 
 const VASE = '#v=1&make=surface&form=vase&cn=900&stone=flag';
@@ -53,15 +58,15 @@ await start(async () => {
  * @param {(name: string, times: Times) => void} tell
  */
 async function visits(program, site, tell) {
-  const server = await host(site, { gzip: true });
-  try {
-    for (const [machine, speeds] of Object.entries(machines)) {
+  for (const [machine, { coding, ...speeds }] of Object.entries(machines)) {
+    const server = await host(site, { coding });
+    try {
       for (const [title, { link, last }] of Object.entries(links)) {
         tell(`${relative(root, site)}: ${title}, ${machine}`, await visit(program, server.address + link, last, speeds));
       }
+    } finally {
+      server.stop();
     }
-  } finally {
-    server.stop();
   }
 }
 
@@ -69,7 +74,7 @@ async function visits(program, site, tell) {
  * @param {string} executablePath
  * @param {string} address
  * @param {string} last the mark that ends the visit
- * @param {{ bits: number, latency: number, slower: number }} speeds
+ * @param {Omit<typeof machines[string], 'coding'>} speeds
  * @returns {Promise<Times>} milliseconds since the page was requested, and kB transferred until the last mark
  */
 async function visit(executablePath, address, last, { bits, latency, slower }) {

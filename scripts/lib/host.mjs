@@ -3,7 +3,7 @@
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
-import { gzipSync } from 'node:zlib';
+import { brotliCompressSync, constants, gzipSync } from 'node:zlib';
 
 const contentTypes = {
   '.avif': 'image/avif',
@@ -22,15 +22,24 @@ const contentTypes = {
 const compressed = ['.css', '.html', '.js', '.json', '.svg', '.txt', '.wasm', '.webmanifest'];
 
 /**
+ * How hosts compress files while they send them, each at a usual level.
+ * @typedef {keyof typeof codings} Coding
+ */
+const codings = {
+  gzip: (/** @type {Buffer} */ plain) => gzipSync(plain, { level: 6 }),
+  br: (/** @type {Buffer} */ plain) => brotliCompressSync(plain, { params: { [constants.BROTLI_PARAM_QUALITY]: 5 } }),
+};
+
+/**
  * Serves a folder to this machine only.
  * @param {string} files the folder
  * @param {object} [options]
  * @param {number} [options.port] the first port to try; if it is taken, the next ones are tried; 0 is any port
  * @param {string} [options.under] the path that the folder is served under
  * @param {(path: string) => void} [options.asked] gets the path inside the folder of each request
- * @param {boolean} [options.gzip] compresses what other hosts compress, and lets browsers keep files for some minutes
+ * @param {Coding} [options.coding] compresses what other hosts compress, and lets browsers keep files for some minutes
  */
-export async function host(files, { port = 0, under = '/', asked, gzip = false } = {}) {
+export async function host(files, { port = 0, under = '/', asked, coding } = {}) {
   /** Compressed bodies by path, so that each file is compressed only once. @type {Map<string, Buffer>} */
   const packed = new Map();
   const server = createServer(async (request, response) => {
@@ -41,14 +50,14 @@ export async function host(files, { port = 0, under = '/', asked, gzip = false }
     asked?.(inside);
     try {
       if (inside.startsWith('..')) throw new Error('outside');
-      const isPacked = gzip && compressed.includes(extname(inside));
-      const body = packed.get(inside) ?? bodyOf(await readFile(join(files, inside)), isPacked);
-      if (isPacked) packed.set(inside, body);
+      const pack = coding && compressed.includes(extname(inside)) && codings[coding];
+      const body = packed.get(inside) ?? (await bodyOf(join(files, inside), pack));
+      if (pack) packed.set(inside, body);
       response.writeHead(200, {
         'content-type': contentTypes[extname(inside)] ?? 'application/octet-stream',
         'content-length': body.length,
-        ...(gzip && { 'cache-control': 'max-age=600' }),
-        ...(isPacked && { 'content-encoding': 'gzip' }),
+        ...(coding && { 'cache-control': 'max-age=600' }),
+        ...(pack && { 'content-encoding': coding }),
       });
       response.end(body);
     } catch {
@@ -66,9 +75,10 @@ export async function host(files, { port = 0, under = '/', asked, gzip = false }
   };
 }
 
-/** @param {Buffer} plain @param {boolean} isPacked @returns {Buffer} */
-function bodyOf(plain, isPacked) {
-  return isPacked ? gzipSync(plain, { level: 6 }) : plain;
+/** @param {string} path of a file @param {((plain: Buffer) => Buffer) | false | undefined} pack */
+async function bodyOf(path, pack) {
+  const plain = await readFile(path);
+  return pack ? pack(plain) : plain;
 }
 
 /**
