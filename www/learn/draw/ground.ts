@@ -1,6 +1,6 @@
 /**
- * The ground of a landscape as bands of equal potential: one quarter of each band, and its three mirror images by
- * `use`.
+ * The ground of a landscape as bands of equal potential: each band is one path, of a quarter and its three mirror
+ * images. An element for each image would cost a browser more, whenever the landscape changes, than the longer paths do.
  */
 import type { Landscape } from '../figures/figure';
 import type { Place } from '../figures/place';
@@ -36,15 +36,16 @@ const FARTHER = 0.05;
 /** A small round top reaches over by this share of its radius: else the corners of its quarters would stick out. */
 const MOST = 0.2;
 
-const MIRRORS = ['-1 1', '1 -1', '-1 -1'];
+/** The signs of both coordinates, in a quarter and in its mirror images. */
+const MIRRORS = [[1, 1], [-1, 1], [1, -1], [-1, -1]] as const;
 
-/** The paths of a quarter's bands and lines, in parts. */
+/** The paths of the bands and of the lines, in parts. */
 export function* drawing(heights: Heights): Generator<undefined, Landscape['ground']> {
   const all = yield* tracing(heights, [OVER, HALF], LEVELS);
   const [bands, lines]: [string[], string[]] = [[], []];
   for (const [band, borders] of all.entries()) {
     bands.push(borders.map((border) => closed(border, band)).join(''));
-    if (isDrawn(band)) lines.push(...borders.flatMap((border) => inside(border, [0, HALF])).map(pathOf));
+    if (isDrawn(band)) lines.push(...borders.flatMap((border) => inside(border, [0, HALF])).map((line) => pathOf(line)));
     yield;
   }
   return { bands, lines: lines.join('') };
@@ -56,7 +57,7 @@ export function seenBands({ well, pass }: Landscape): (readonly [band: number, l
   return LEVELS.map((level, band) => [band, level] as const).filter(([, level]) => level > lowest - STEP);
 }
 
-/** The bands and the lines by a name: a quarter of each, and its three mirrors. */
+/** The bands and the lines by a name. */
 export function definitions(landscape: Landscape, name: string): string {
   const { bands, lines } = landscape.ground;
   const all = seenBands(landscape).map(([band]) => whole(`${name}-${band}`, bands[band] ?? ''));
@@ -64,8 +65,7 @@ export function definitions(landscape: Landscape, name: string): string {
 }
 
 function whole(id: string, path: string): string {
-  const mirrors = MIRRORS.map((scale) => `<use href="#${id}-quarter" transform="scale(${scale})"/>`);
-  return `<g id="${id}"><path class="card" id="${id}-quarter" d="${path}"/>${mirrors.join('')}</g>`;
+  return `<path class="card" id="${id}" d="${path}"/>`;
 }
 
 /** Uses a band or the lines of the ground of this name. */
@@ -78,15 +78,30 @@ export function over(content: string): string {
   return `<svg class="plate over" viewBox="0 0 ${WIDTH} ${WIDTH}" width="${WIDTH}" height="${WIDTH}" aria-hidden="true">${content}</svg>`;
 }
 
-function pathOf(line: readonly Place[]): string {
-  const scale = UNIT / FINE;
-  return `M${simplified(line, TOLERANCE).map(([x, y]) => `${tenth(x * scale)} ${tenth(y * scale)}`).join('L')}`;
+/**
+ * The path of a line and of its mirror images; `end` ends each. All images of a ring go round in the same sense, so that
+ * the strips where they overlap are filled.
+ */
+function pathOf(line: readonly Place[], end = ''): string {
+  const points = simplified(line, TOLERANCE).map((point) => point.map((value) => Math.round((10 * value * UNIT) / FINE)));
+  const images = MIRRORS.map(([a, b]) => {
+    const image = points.map(([x = 0, y = 0]) => [a * x, b * y] as const);
+    return stepwise(a === b ? image : image.reverse()) + end;
+  });
+  return images.join('');
+}
+
+/** The path through places in tenths: its first place, then steps, which take less room than places. */
+function stepwise(places: readonly Place[]): string {
+  const steps = places.map(([x, y], k) => {
+    const [u, v] = places[k - 1] ?? [0, 0];
+    return `${(x - u) / 10} ${(y - v) / 10}`;
+  });
+  return `M${steps[0] ?? ''}l${steps.slice(1).join(' ')}`;
 }
 
 function closed(border: readonly Place[], band: number): string {
   const far = Math.min(band * FARTHER - OVER, MOST * Math.max(...border.flat()));
   const out = (value: number): number => (value <= OVER + 0.01 ? -far : value);
-  return `${pathOf(border.map(([x, y]) => [out(x), out(y)]))}z`;
+  return pathOf(border.map(([x, y]) => [out(x), out(y)]), 'z');
 }
-
-const tenth = (value: number): string => String(Math.round(value * 10) / 10);
