@@ -6,7 +6,7 @@ import type { PlacedLabel } from '../picture/frames/source';
 const ROOM = 3;
 
 /** A rectangle in pixels of the page. */
-type Box = Pick<DOMRect, 'left' | 'right' | 'top' | 'bottom'>;
+type Edges = Pick<DOMRect, 'left' | 'right' | 'top' | 'bottom'>;
 
 export class Labels {
   readonly element = make('div', { class: 'turn-labels', 'aria-hidden': 'true' });
@@ -41,7 +41,7 @@ export class Labels {
 
 /** The labels that would lie on an earlier one. */
 function hidden(labels: readonly HTMLElement[]): HTMLElement[] {
-  const kept: Box[] = [];
+  const kept: Edges[] = [];
   const boxes = labels.map((label) => label.getBoundingClientRect());
   return labels.filter((_, k) => {
     const box = boxes[k];
@@ -51,6 +51,6 @@ function hidden(labels: readonly HTMLElement[]): HTMLElement[] {
   });
 }
 
-function meet(a: Box, b: Box): boolean {
+function meet(a: Edges, b: Edges): boolean {
   return a.left < b.right + ROOM && b.left < a.right + ROOM && a.top < b.bottom + ROOM && b.top < a.bottom + ROOM;
 }
