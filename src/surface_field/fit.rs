@@ -92,7 +92,7 @@ pub struct Fitting {
     at: usize,
     area: f64,
     sums: Fit,
-    /// Of each measured triangle, the side of its cell over the largest that can follow the surface, and its area.
+    /// For each measured triangle: the side of its cell over the largest that can follow the surface, and its area.
     sides: Vec<[f64; 2]>,
 }
 

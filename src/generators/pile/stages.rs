@@ -46,7 +46,7 @@ pub(crate) struct PileStages {
     pub(super) known: Option<(SettledFrom, Rc<[Body]>)>,
 }
 
-/// What bodies settle from: the revisions of darts and shape, and the parameters.
+/// The inputs of settling: the revisions of darts and shape, and the parameters.
 pub(super) type SettledFrom = ([u64; 2], RefineParams);
 
 impl Wiring for PileStages {
