@@ -65,6 +65,7 @@ export class EditorBar {
 
   hide(): void {
     this.bar.hidden = true;
+    document.documentElement.toggleAttribute('data-editing', false);
   }
 
   /** Moves the keyboard focus to the button that adds a figure, or to the choice of sorts. */
@@ -75,6 +76,7 @@ export class EditorBar {
   /** Shows the buttons that fit the sort, and the value of the marked figure. */
   show(sorts: Sort[], sort: Sort, { marked, smooth, removable, drawing, armed }: BarState): void {
     this.bar.hidden = false;
+    document.documentElement.toggleAttribute('data-editing', true);
     const words = sorts.map(({ word }) => word).join();
     if (this.what.dataset['words'] !== words) {
       this.what.replaceChildren(...sorts.map(({ word, label }) => make('option', { value: word }, label)));
@@ -89,6 +91,7 @@ export class EditorBar {
     say(this.addFigure, t('add_figure', { figure: sort.figure }));
     this.addPoint.hidden = !pointwise || busy || !marked;
     this.turnOver.hidden = sort.form !== 'ring' || busy || !marked;
+    this.bar.toggleAttribute('data-turns', !this.turnOver.hidden);
     say(this.turnOver, t(smooth ? 'make_corner' : 'make_smooth'));
     const last = !pointwise || (removable && marked !== undefined && marked.points.length <= sort.least);
     say(this.remove, last ? t('remove_figure', { figure: sort.figure }) : t('remove_point'));

@@ -23,6 +23,7 @@ export class Under implements Way {
     this.progress = progress;
     byId('cells').before(canvas);
     this.sheet.append(this.line, this.divider);
+    this.sheet.toggleAttribute('data-divided', true);
     this.divider.addEventListener('input', () => this.slide());
     work.store.on(['stage', 'paused'], () => this.host?.loop.wake());
     this.slide();

@@ -45,13 +45,14 @@ export type Edit = (parameter: Parameter) => void;
 export function makeControl(parameter: Parameter, change: Change, edit: Edit, pictures?: Pictures): Control {
   const id = `p-${parameter.key}`;
   const { inputs, show } = waysOf(parameter, id, change, edit, pictures);
+  const listed = inputs[0]?.tagName === 'SELECT';
   const numeric = parameter.kind === 'number' || parameter.kind === 'int';
-  const name = make(numeric || inputs[0]?.tagName === 'SELECT' ? 'label' : 'span', { class: 'name', id: `${id}-name` }, parameter.name);
+  const name = make(numeric || listed ? 'label' : 'span', { class: 'name', id: `${id}-name` }, parameter.name);
   if (name instanceof HTMLLabelElement) name.htmlFor = id;
   if (parameter.symbol) name.append(' ', symbol(parameter.symbol));
   const reset = make('button', { type: 'button', class: 'reset' });
   const help = make('span', { class: 'said', id: `${id}-help` }, parameter.help);
-  const element = make('div', { class: `control ${parameter.kind}`, 'data-key': parameter.key, title: parameter.help });
+  const element = make('div', { class: `control ${parameter.kind}${listed ? ' listed' : ''}`, 'data-key': parameter.key, title: parameter.help });
   element.append(name, reset, ...inputs, help);
 
   let known: string | undefined;

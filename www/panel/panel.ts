@@ -116,7 +116,7 @@ export class Panel {
   /** Shows the engine's values, which controls apply, and how many differ from the default. */
   refresh(): void {
     let apart = 0;
-    for (const { controls, badge, details } of this.groups.values()) {
+    for (const { box, controls, badge, details } of this.groups.values()) {
       let changed = 0;
       for (const control of controls) {
         const { parameter, element } = control;
@@ -132,6 +132,7 @@ export class Panel {
       }
       say(badge, changed ? t('changed', { n: changed }) : '');
       details.hidden = controls.every(({ element }) => element.hidden);
+      box.toggleAttribute('data-empty', details.hidden);
     }
     this.rest.hidden = !this.simple;
     say(this.rest, apart ? t('rest_changed', { n: apart }) : t('rest'));

@@ -25,10 +25,11 @@ export function withPictures<Parts extends { inputs: HTMLElement[]; show: (value
   row.classList.add('pictured');
   for (const radio of row.querySelectorAll('input')) {
     const src = pictures(radio.value);
+    radio.closest('label')?.classList.toggle('bare', !src);
     if (src) radio.before(make('img', { src, alt: '', loading: 'lazy', decoding: 'async', width: SIDE, height: SIDE }));
   }
   const reveal = (): void => {
-    const chosen = row.querySelector<HTMLElement>('label:has(:checked)');
+    const chosen = row.querySelector(':checked')?.closest('label');
     if (chosen && !row.matches(':focus-within, :hover')) row.scrollLeft = chosen.offsetLeft - (row.clientWidth - chosen.offsetWidth) / 2;
   };
   // The row may be folded away at first, and measuring it at once would force a layout.

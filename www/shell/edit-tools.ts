@@ -113,6 +113,7 @@ export class EditTools {
       tool.hidden = !toolApplies(this.engine, word);
       if (tool.hasAttribute('aria-pressed')) tool.setAttribute('aria-pressed', String(editing === word));
     }
+    this.more.toggleAttribute('data-active', this.tools.some((tool) => tool.matches('.rare [aria-pressed=true]')));
     const shown = this.tools.filter((tool) => !tool.hidden);
     if (!shown.some((tool) => tool.tabIndex === 0)) shown.slice(0, 1).forEach((tool) => (tool.tabIndex = 0));
   }

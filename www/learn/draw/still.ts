@@ -34,9 +34,27 @@ function markupOf(shown: Shown & { readonly chapter: string }, view: View, readi
   const { figure, chapter } = shown;
   const { step, last, at, language } = view;
   const notes = notesOf(figure, view);
-  const boxes = platesOf(shown, view).map((plate, k) => titled(figure, k, notes[k], language, `<div class="plate-box" data-plate="${k}"><div class="plate-svg">${plate}</div></div>`));
+  const drawn = platesOf(shown, view);
+  const boxes = drawn.map((plate, k) => titled(figure, k, notes[k], language, `<div class="plate-box" data-plate="${k}"><div class="plate-svg">${plate}</div></div>`));
   const tools = toolsOf(figure, language, { step, last, value: (key) => shownValue(readings, step, at, key), points: (handle) => shownPoints(readings, step, at, handle) });
-  return `<div class="plates plates-${boxes.length}" data-chapter="${chapter}">${boxes.join('')}</div><div class="figure-tools">${tools}</div><p class="figure-told">${toldOf(figure, view)}</p>`;
+  return `<div class="${kindsOf(figure, drawn).join(' ')}" data-chapter="${chapter}">${boxes.join('')}</div><div class="figure-tools">${tools}</div><p class="figure-told">${toldOf(figure, view)}</p>`;
+}
+
+/**
+ * The classes of the plates' box: how many plates and how many twins there are, and whether twins have words. A style that
+ * asks for them with `:has` would be worked out anew at each step.
+ */
+function kindsOf({ plates }: Figure, drawn: readonly string[]): string[] {
+  const twins = drawn.filter((_, k) => isTwin(plates, k));
+  if (!twins.length) return ['plates', `plates-${drawn.length}`];
+  const worded = twins.some((plate) => plate.includes('<text')) ? ['worded'] : [];
+  return ['plates', `plates-${drawn.length}`, 'twins', `twins-${twins.length}`, ...worded];
+}
+
+/** Whether a titled plate is compared with another one, which is drawn in the same way. */
+function isTwin(plates: Figure['plates'], k: number): boolean {
+  const { title, draw } = plates[k] ?? {};
+  return title !== undefined && draw !== 'track' && plates.some((other, at) => at !== k && other.draw === draw);
 }
 
 /** A plate with its title, unless the drawing shows the title itself. The note changes with the steps. */
@@ -44,6 +62,5 @@ function titled({ plates }: Figure, k: number, note: string | undefined, languag
   const { title, draw } = plates[k] ?? {};
   if (!title || draw === 'track') return box;
   const follows = note === undefined ? '' : ` <output class="plate-note" data-plate="${k}">${note}</output>`;
-  const isTwin = plates.some((other, at) => at !== k && other.draw === draw);
-  return `<div class="plate-cell${isTwin ? ' twin' : ''}"><p class="plate-name"><b>${title[language]}</b>${follows}</p>${box}</div>`;
+  return `<div class="plate-cell${isTwin(plates, k) ? ' twin' : ''}"><p class="plate-name"><b>${title[language]}</b>${follows}</p>${box}</div>`;
 }

@@ -58,8 +58,9 @@ function timeline(figure: Figure, language: Language, { step, last }: Standing):
 
 function handles(figure: Figure, language: Language, standing: Standing): string {
   const all = (list: readonly Handle[]): string => list.map((handle) => handleOf(figure, handle, language, standing)).join('');
-  const more = figure.more.length ? `<details class="more"><summary>${TOOL_WORDS.more[language]}</summary><div class="handle-list">${all(figure.more)}</div></details>` : '';
-  return figure.handles.length ? `<div class="figure-handles"><div class="handle-list">${all(figure.handles)}</div>${more}</div>` : '';
+  const box = (list: readonly Handle[]): string => `<div class="handle-list${list.some(isNamed) ? ' named' : ''}">${all(list)}</div>`;
+  const more = figure.more.length ? `<details class="more"><summary>${TOOL_WORDS.more[language]}</summary>${box(figure.more)}</details>` : '';
+  return figure.handles.length ? `<div class="figure-handles">${box(figure.handles)}${more}</div>` : '';
 }
 
 function handleOf(figure: Figure, handle: Handle, language: Language, { value, points }: Standing): string {
@@ -111,8 +112,11 @@ function numberHandle({ name: figure }: Figure, handle: NumberHandle, language: 
   const letters = handle.symbol ? ` <i class="letter"${SYMBOLS[handle.symbol] ? ` data-symbol="${SYMBOLS[handle.symbol] ?? ''}"` : ''}>${handle.symbol}</i>` : '';
   const bounds = `min="${handle.from}" max="${handle.to}" step="any" value="${value.toFixed(handle.digits)}"`;
   const label = nameOf(handle, language);
-  return `<div class="handle" data-key="${handle.key}"><span class="handle-name">${handle.name[language]}${letters}</span><input type="range" ${bounds}${handle.marks ? ` list="${figure}-${handle.key}"` : ''} aria-label="${label}"><input type="number" inputmode="decimal" ${bounds} aria-label="${label}">${marksOf(figure, handle)}</div>`;
+  return `<div class="handle${isNamed(handle) ? ' named' : ''}" data-key="${handle.key}"><span class="handle-name">${handle.name[language]}${letters}</span><input type="range" ${bounds}${handle.marks ? ` list="${figure}-${handle.key}"` : ''} aria-label="${label}"><input type="number" inputmode="decimal" ${bounds} aria-label="${label}">${marksOf(figure, handle)}</div>`;
 }
+
+/** Whether values of a handle have a name. */
+const isNamed = (handle: Handle): boolean => 'marks' in handle;
 
 /** Ticks on the slider at the values that have a name, and buttons with these names, which stand in the equations for the handle. */
 function marksOf(figure: string, { key: symbol, marks }: NumberHandle): string {
