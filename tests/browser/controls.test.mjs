@@ -55,7 +55,7 @@ function another(parameter, value) {
 }
 
 test('every control reaches the picture', sameEverywhere, async (t) => {
-  const { page, problems, close } = await site.newPage(FEW);
+  const { page, problems, close } = await site.newPage(FEW, { still: true });
   await digest(page);
   const schema = await page.evaluate(() => window.bubblestone.schema);
   await all(page);
