@@ -55,6 +55,7 @@ function another(parameter, value) {
 }
 
 test('every control reaches the picture', sameEverywhere, async (t) => {
+  // No step here waits for the frames of a forming, which take half of the time.
   const { page, problems, close } = await site.newPage(FEW, { still: true });
   await digest(page);
   const schema = await page.evaluate(() => window.bubblestone.schema);

@@ -56,7 +56,7 @@ export class Beside implements Partner, Way {
   }
 
   show(on: boolean): void {
-    for (const element of [this.frame, document.documentElement]) element.toggleAttribute('data-beside', on);
+    this.frame.toggleAttribute('data-beside', on);
     if (on) {
       byId('sheet').before(this.sheet, this.names[0]);
       byId('sheet').after(this.names[1]);

@@ -26,25 +26,25 @@ export class Subtitle {
     const said = make('span', { class: 'said' });
     if (matchMedia('(max-width: 60rem)').matches) byId('sheet').append(this.line);
     else byId('caption').after(this.line);
-    this.light(this.line.hasAttribute('data-on'));
+    this.toggle(this.line.hasAttribute('data-on'));
     this.line.replaceChildren(seen, said);
     say(said, words.join(''));
   }
 
   /** Shows the words up to this phase. */
   show(phase: Phase): void {
-    this.light(true);
+    this.toggle(true);
     this.parts.forEach((part, at) => part.toggleAttribute('data-shown', at <= PHASES.indexOf(phase)));
   }
 
   /** The forming is over. If the visitor ended it, the words go at once. */
   end(early: boolean): void {
     if (this.timer || !this.parts.length) return;
-    this.timer = window.setTimeout(() => this.light(false), early ? 0 : READ);
+    this.timer = window.setTimeout(() => this.toggle(false), early ? 0 : READ);
   }
 
   /** Shows or hides the line. The caption makes room where both have one place. */
-  private light(on: boolean): void {
+  private toggle(on: boolean): void {
     const caption = byId('caption');
     this.line.toggleAttribute('data-on', on);
     caption.toggleAttribute('data-under', on && caption.parentElement === this.line.parentElement);

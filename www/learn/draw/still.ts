@@ -37,18 +37,18 @@ function markupOf(shown: Shown & { readonly chapter: string }, view: View, readi
   const drawn = platesOf(shown, view);
   const boxes = drawn.map((plate, k) => titled(figure, k, notes[k], language, `<div class="plate-box" data-plate="${k}"><div class="plate-svg">${plate}</div></div>`));
   const tools = toolsOf(figure, language, { step, last, value: (key) => shownValue(readings, step, at, key), points: (handle) => shownPoints(readings, step, at, handle) });
-  return `<div class="${kindsOf(figure, drawn).join(' ')}" data-chapter="${chapter}">${boxes.join('')}</div><div class="figure-tools">${tools}</div><p class="figure-told">${toldOf(figure, view)}</p>`;
+  return `<div class="${classesOf(figure, drawn)}" data-chapter="${chapter}">${boxes.join('')}</div><div class="figure-tools">${tools}</div><p class="figure-told">${toldOf(figure, view)}</p>`;
 }
 
 /**
  * The classes of the plates' box: how many plates and how many twins there are, and whether twins have words. A style that
  * asks for them with `:has` would be worked out anew at each step.
  */
-function kindsOf({ plates }: Figure, drawn: readonly string[]): string[] {
+function classesOf({ plates }: Figure, drawn: readonly string[]): string {
   const twins = drawn.filter((_, k) => isTwin(plates, k));
-  if (!twins.length) return ['plates', `plates-${drawn.length}`];
-  const worded = twins.some((plate) => plate.includes('<text')) ? ['worded'] : [];
-  return ['plates', `plates-${drawn.length}`, 'twins', `twins-${twins.length}`, ...worded];
+  const all = `plates plates-${drawn.length}`;
+  if (!twins.length) return all;
+  return `${all} twins twins-${twins.length}${twins.some((plate) => plate.includes('<text')) ? ' worded' : ''}`;
 }
 
 /** Whether a titled plate is compared with another one, which is drawn in the same way. */
