@@ -101,7 +101,7 @@ export const presets: Foreign['presets'] = {
   'cashews': { title: 'カシューの鉢', note: '先の濃いクリーム色の実が、鉢の中で互いに抱き合う。' },
   'autumn-leaves': { title: '落ち葉', note: '低い横からの光が、掃き集めた葉を透かす。' },
   'bean-letter': { title: '豆の文字', note: '豆が内側にだけ動くので、文字の縁がくっきり残る。' },
-  'stones-hill': { title: '丘の石', note: '大きな石が地面に半ば埋まり、小さな石がその間に集まる。' },
+  'stones-hill': { title: '丘の石', note: '大きな黒い石が地面に半ば埋まり、その間に白い小石が集まる。' },
   'nut-bowl': { title: '木の実の鉢', note: '胡桃とアーモンドとカシューナッツが白い鉢で等しく混じる。' },
   'leaf-dome': { title: '生け垣', note: '緑の葉が、刈り込んだ生け垣のように半球を覆う。' },
   'toy-box': { title: '積み木の箱', note: '青と白の積み木が木箱に投げ込まれている。' },

@@ -88,7 +88,7 @@ export const presets: Foreign['presets'] = {
   'dragon-egg': { title: '竜の卵', note: '上へ向かって小さくなる、金から紅への鱗。' },
   'cone-round': { title: '松ぼっくり', note: '実を巡る木の鱗。' },
   pineapple: { title: 'パイナップル', note: '角で立つ正方形が、どちら回りにも数えられる螺旋になります。' },
-  'cobbled-hill': { title: '石畳の丘', note: '丘の間の小道に敷石が沿い、目地に苔が生えます。' },
+  'cobbled-hill': { title: '石畳の丘', note: '黒い丘の間の白い小道に敷石が沿い、目地に苔が生えます。' },
   'brick-stairs': { title: '煉瓦の階段', note: '縁で曲面を切るので、踏面と蹴上げにそれぞれの列があります。' },
   'paved-slope': { title: '石敷きの坂', note: '一つの高さから次の高さへ続く、一つの岩の色調の砂岩。' },
   'tiled-ring': { title: 'タイルの輪', note: '角を立てて並べたテラコッタが、輪の二つの向きに閉じます。' },

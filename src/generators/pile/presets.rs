@@ -75,7 +75,7 @@ pub const PRESETS: &[Preset] = &[
     Preset::plain(
         ["Showpieces", "toys", "Toys"],
         "Rings, balls and blocks share one heap, each shape in its own paint.",
-        "v=1&make=pile&c1=torus&f1=red&k1=1.1&sigma1=2.3&l1=4.6&c2=ball&f2=yellow&k2=0.8&sigma2=1&l2=4.6&c3=box&f3=blue&sigma3=1.5&l3=4.6&form=heap&heap_height=0.42&ps=9&merge=alone&offset=0.2&first=mixed",
+        "v=1&make=pile&c1=torus&f1=yellow&k1=1.1&sigma1=2.6&l1=4.6&c2=ball&k2=1.05&sigma2=0.9&l2=4.6&c3=box&f3=blue&sigma3=1.2&l3=4.6&form=heap&heap_height=0.42&ps=9&merge=alone&offset=0.2&first=mixed",
     ),
     Preset::plain(
         ["Showpieces", "cashews", "Cashews"],
@@ -94,8 +94,8 @@ pub const PRESETS: &[Preset] = &[
     ),
     Preset::plain(
         ["Showpieces", "stones-hill", "Stones on a hill"],
-        "Large stones lie half buried in the ground, and small ones gather between them.",
-        "v=1&make=pile&c1=smooth&f1=river&k1=2.2&sigma1=2.2&tu1=60&tw1=60&l1=0.3&c2=smooth&f2=river&k2=0.7&sigma2=0.7&l2=3&form=terrain&terrain_hills=2&terrain_height=0.5&ps=16&yaw=20&merge=alone&seed=3&alpha=0.85&retries=3&gloss=matt",
+        "Large dark stones lie half buried in the ground, and white pebbles gather between them.",
+        "v=1&make=pile&c1=smooth&f1=basalt&k1=2.2&sigma1=2.2&tu1=60&tw1=60&l1=0.3&c2=smooth&k2=0.7&sigma2=0.7&l2=3&form=terrain&terrain_hills=2&terrain_height=0.5&ps=16&yaw=50&merge=alone&seed=3&alpha=0.85&retries=3",
     ),
     Preset::plain(
         ["Shapes and vessels", "nut-bowl", "Bowl of nuts"],

@@ -31,7 +31,7 @@ pub const PRESETS: &[Preset] = &[
     Preset::plain(
         ["Hides in the round", "coral-snake", "Coral snake"],
         "Diamond rows all around, and bands that close into rings.",
-        "v=1&make=surface&form=tail&tail_curl=450&tail_taper=0.3&tail_girth=0.08&tail_lift=0.25&ends=cut&kind=rectangle&ca=1.3&cn=2400&taper=0.6&angle=45&stone=skin&sv=1.4&sr=0.3&sc=0.35&tilt=0.12&keel=0.3&palette=coral&ground=hide&gloss=glossy&pattern=bands&pn=0.22&ps=0.95&pc=0.35&rim=0.15&pt=body&az=85&el=40&diff=1.35",
+        "v=1&make=surface&form=tail&tail_curl=450&tail_taper=0.3&tail_girth=0.1&tail_lift=0.1&kind=rectangle&ca=1.3&cn=2400&taper=0.6&angle=45&stone=skin&sv=1.4&sr=0.3&sc=0.35&tilt=0.12&keel=0.3&palette=coral&ground=hide&gloss=glossy&pattern=bands&pn=0.22&ps=0.95&pc=0.35&rim=0.15&pt=body&az=85&el=40&diff=1.35",
     ),
     Preset::plain(
         ["Hides in the round", "dragon-tail", "Dragon's tail"],
@@ -66,7 +66,7 @@ pub const PRESETS: &[Preset] = &[
     Preset::plain(
         ["Hides in the round", "pangolin-ball", "Pangolin, rolled up"],
         "Horny scales, each over the next, around a body that hides its belly.",
-        "v=1&make=surface&form=horn&horn_turns=1.2&horn_rise=0&horn_taper=0.35&horn_girth=0.85&ends=cut&kind=ellipse&ca=1.2&cn=460&taper=0.5&stone=skin&sv=1.5&sc=1.2&tilt=0.3&rings=4&palette=pangolin&ground=hide&rim=-0.25&az=85&el=40&diff=1.2",
+        "v=1&make=surface&form=horn&horn_turns=1.2&horn_rise=0&horn_taper=0.35&horn_girth=0.85&kind=ellipse&ca=1.2&cn=620&taper=0.5&stone=skin&sv=1.5&sc=1.2&tilt=0.3&rings=4&palette=pangolin&ground=hide&rim=-0.25&az=85&el=40&diff=1.3",
     ),
     Preset::plain(
         ["Stones on surfaces", "mosaic-vase", "Mosaic vase"],
@@ -75,8 +75,8 @@ pub const PRESETS: &[Preset] = &[
     ),
     Preset::plain(
         ["Stones on surfaces", "cobbled-hill", "Cobbled hill"],
-        "A lane between hills: setts follow it, and moss lies in the joints.",
-        "v=1&make=surface&terrain_height=0.45&cn=1300&hs=0.55&dr=0.25&palette=mossy&vary=1.2&ground=soil&wear=0.3&moss=0.5&az=85&el=35&diff=1.2",
+        "A pale lane between dark hills: setts follow it, and moss lies in the joints.",
+        "v=1&make=surface&terrain_hills=2&terrain_height=0.6&terrain_lane=1&terrain_wind=0&terrain_hill=5&yaw=-20&cn=1500&hs=0.55&dr=0.25&palette=basalt&ground=moss&pattern=bands&pn=1&ps=0.95&pc=0.25&wear=0.3&moss=0.45&az=60&el=35&amb=1.1&diff=1.3",
     ),
     Preset::plain(
         ["Stones on surfaces", "brick-stairs", "Brick stairs"],
