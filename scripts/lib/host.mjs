@@ -3,6 +3,7 @@
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
+import { setTimeout } from 'node:timers/promises';
 import { brotliCompressSync, constants, gzipSync } from 'node:zlib';
 
 const contentTypes = {
@@ -38,8 +39,9 @@ const codings = {
  * @param {string} [options.under] the path that the folder is served under
  * @param {(path: string) => void} [options.asked] gets the path inside the folder of each request
  * @param {Coding} [options.coding] compresses what other hosts compress, and lets browsers keep files for some minutes
+ * @param {boolean} [options.inPieces] sends pages as over a slow connection: small pieces first, then larger ones
  */
-export async function host(files, { port = 0, under = '/', asked, coding } = {}) {
+export async function host(files, { port = 0, under = '/', asked, coding, inPieces = false } = {}) {
   /** Compressed bodies by path, so that each file is compressed only once. @type {Map<string, Buffer>} */
   const packed = new Map();
   const server = createServer(async (request, response) => {
@@ -59,7 +61,8 @@ export async function host(files, { port = 0, under = '/', asked, coding } = {})
         ...(coding && { 'cache-control': 'max-age=600' }),
         ...(pack && { 'content-encoding': coding }),
       });
-      response.end(body);
+      if (!inPieces || extname(inside) !== '.html') response.end(body);
+      else await writePieces(response, body);
     } catch {
       response.writeHead(404).end();
     }
@@ -73,6 +76,19 @@ export async function host(files, { port = 0, under = '/', asked, coding } = {})
       server.close();
     },
   };
+}
+
+/**
+ * Writes a body in pieces, each ten bytes longer than the one before, about one in each frame of a browser.
+ * @param {import('node:http').ServerResponse} response
+ * @param {Buffer} body
+ */
+async function writePieces(response, body) {
+  for (let [from, size] = [0, 200]; from < body.length; from += size, size += 10) {
+    response.write(body.subarray(from, from + size));
+    await setTimeout(16);
+  }
+  response.end();
 }
 
 /** @param {string} path of a file @param {((plain: Buffer) => Buffer) | false | undefined} pack */

@@ -24,7 +24,8 @@ const LEFT = /Failed to load ‘’\. A ServiceWorker intercepted the request/;
  */
 export const low = { width: 1280, height: 560 };
 
-const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
+/** The built site. */
+export const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
 
 // A folder below the root, as the site must work from any folder.
 const folder = '/any/folder/';

@@ -3,9 +3,10 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
+import { host } from '../../scripts/lib/host.mjs';
 import { chapters } from '../../www/learn/chapters/contents.mjs';
 import { kind, sameEverywhere } from './browsers.mjs';
-import { desk, open } from './harness.mjs';
+import { desk, dist, open } from './harness.mjs';
 import { at, follow, seek } from './lesson.mjs';
 import { digest, frames, phone, SMALL } from './page.mjs';
 import { longestTask } from './tasks.mjs';
@@ -200,6 +201,16 @@ for (const chapter of BY_TURNS) {
     await close();
   });
 }
+
+test('nothing jumps while a chapter comes in pieces', sameEverywhere, async (t) => {
+  const own = await open({ serve: () => host(dist, { inPieces: true }) });
+  t.after(() => own.close());
+  const { page, close } = await own.newPage('learn/ja/squares/', { before: watchShifts });
+  await begun(page);
+  await frames(page, 3);
+  assert.deepEqual(await page.evaluate(() => window.shifts), []);
+  await close();
+});
 
 test('after a visit to the studio all pages open without a host', async (t) => {
   const own = await open();

@@ -3,15 +3,12 @@ import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:f
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { fileURLToPath } from 'node:url';
 import sharp from 'sharp';
 import { filesOf, firstOf, listOf } from '../../scripts/lib/offline.mjs';
 import { kind, sameEverywhere } from './browsers.mjs';
-import { open } from './harness.mjs';
+import { dist, open } from './harness.mjs';
 import { digest, SMALL } from './page.mjs';
 import { handed } from './saved.mjs';
-
-const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
 
 // Each test has its own host, whose requests it counts. One more site stays open, so that all tests share a browser.
 /** @type {Awaited<ReturnType<typeof open>>} */

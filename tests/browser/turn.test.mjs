@@ -3,10 +3,9 @@ import assert from 'node:assert/strict';
 import { cpSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
-import { low, open } from './harness.mjs';
+import { dist, low, open } from './harness.mjs';
 import { BALL, click, digest, frames, link, message, phone, reloading, set, SMALL } from './page.mjs';
 import { opened, saved } from './saved.mjs';
 import { box, drag, spot } from './sheet.mjs';
@@ -305,7 +304,7 @@ test('in another page it opens from its link, and lets go of the wheel', sameEve
 
 test('where the module does not come, a sentence says so, and the picture stays', sameEverywhere, async () => {
   const folder = mkdtempSync(join(tmpdir(), 'bubblestone-site-'));
-  cpSync(fileURLToPath(new URL('../../dist/', import.meta.url)), folder, { recursive: true });
+  cpSync(dist, folder, { recursive: true });
   const [, file = ''] = /data-surface="([^" ]+)/.exec(readFileSync(join(folder, 'index.html'), 'utf8')) ?? [];
   rmSync(join(folder, file));
   const cut = await open({ files: folder });

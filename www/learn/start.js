@@ -1,5 +1,6 @@
-// The first script of the chapters' pages, inside the page, before anything is painted: the theme, and scenes that come one
-// a frame. The build gives its element the address of the module (`data-first`), which figures load when they come near.
+// The first script of the chapters' pages, inside the page, before anything is painted: the theme, and the head and scenes
+// that come one a frame. The build gives its element the address of the module (`data-first`), which figures load when they
+// come near.
 {
   const page = document.documentElement;
   let theme;
@@ -16,9 +17,11 @@
   if (!location.hash && navigation?.type === 'navigate') {
     page.dataset.opening = '';
     const open = () => {
-      const next = document.querySelector('.scene:not([data-open])');
-      next?.setAttribute('data-open', '');
-      if (next || document.readyState === 'loading') requestAnimationFrame(open);
+      const next = document.querySelector(':is(.head, .scene):not([data-open])');
+      const isLoading = document.readyState === 'loading';
+      // The head or a scene of which only a part has come waits for the rest, which would move what is seen.
+      if (next?.nextElementSibling || !isLoading) next?.setAttribute('data-open', '');
+      if (next || isLoading) requestAnimationFrame(open);
       else delete page.dataset.opening;
     };
     requestAnimationFrame(open);
