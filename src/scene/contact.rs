@@ -17,12 +17,17 @@ const SIDE: usize = 64;
 const WIDE: f32 = 1.4;
 /// The number of directions in which each texel looks at the sky. They differ within squares of [`PATTERN`] by
 /// [`PATTERN`] texels; the mean over neighbours has the directions of all texels of a square.
-const WAYS: usize = 8;
-const PATTERN: usize = 2;
+const WAYS: usize = 16;
+const PATTERN: usize = 4;
+/// The places of a square's texels in the order of their directions. Neighbours have directions far apart (Bayer 1973,
+/// An Optimum Method for Two-Level Rendition of Continuous-Tone Pictures), so that no streak is left in the mean.
+const TURNS: [u8; PATTERN * PATTERN] = [0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5];
+/// The weights of a texel's neighbours in the mean, along each axis: all texels of a square have the same sum.
+const WEIGHTS: [f32; 5] = [1.0, 2.0, 2.0, 2.0, 1.0];
 /// Distances along a direction at which the heights of bodies are read, in texels.
-const STEPS: [f32; 8] = [1.0, 2.0, 3.0, 4.0, 5.5, 7.5, 10.0, 14.0];
+const STEPS: [f32; 10] = [1.0, 2.0, 3.0, 4.0, 5.5, 7.0, 9.0, 11.0, 14.0, 17.5];
 /// A texel takes about as long as this many triangles.
-const WORK: usize = 12;
+const WORK: usize = 30;
 /// The lowest and the highest surface at a texel without a body.
 const NOTHING: [f32; 2] = [f32::MAX, 0.0];
 
@@ -132,7 +137,7 @@ type Ways = [[([i32; 2], f32); STEPS.len()]; WAYS];
 /// The directions at a texel of the pattern.
 fn ways(texel: usize) -> Ways {
     std::array::from_fn(|way| {
-        let part = (texel as f64 + 0.5) / (PATTERN * PATTERN) as f64;
+        let part = (f64::from(TURNS[texel]) + 0.5) / (PATTERN * PATTERN) as f64;
         let angle = TAU * (way as f64 + part) / WAYS as f64;
         let along = [libm::cos(angle), libm::sin(angle)];
         STEPS.map(|step| {
@@ -174,12 +179,69 @@ fn sky(heights: &[[f32; 2]], at: usize, ways: &[Ways; PATTERN * PATTERN]) -> f32
 
 /// The mean around a texel, in which all directions have the same weight.
 fn mean(raw: &[f32], at: usize) -> f32 {
-    let three = |v: usize| [v.saturating_sub(1), v, (v + 1).min(SIDE - 1)];
+    let around = |v: usize| {
+        (v..)
+            .zip(WEIGHTS)
+            .map(|(v, weight)| (v.saturating_sub(2).min(SIDE - 1), weight))
+    };
     let mut sum = 0.0;
-    for (y, down) in three(at / SIDE).into_iter().zip([1.0, 2.0, 1.0]) {
-        for (x, across) in three(at % SIDE).into_iter().zip([1.0, 2.0, 1.0]) {
+    for (y, down) in around(at / SIDE) {
+        for (x, across) in around(at % SIDE) {
             sum += across * down * raw[y * SIDE + x];
         }
     }
-    sum / 16.0
+    let all: f32 = WEIGHTS.iter().sum();
+    sum / (all * all)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FloorContact, NOTHING, PATTERN, SIDE};
+    use glam::Vec3;
+
+    /// The sky over the floor around an upright cylinder in the middle, between two heights, all in texels.
+    fn around_cylinder(radius: f32, heights: [f32; 2]) -> FloorContact {
+        let middle = 0.5 * (SIDE as f32 - 1.0);
+        let height = |at: usize| {
+            let away = [at % SIDE, at / SIDE].map(|v| v as f32 - middle);
+            let is_inside = libm::hypotf(away[0], away[1]) < radius;
+            if is_inside { heights } else { NOTHING }
+        };
+        let heights: Vec<_> = (0..SIDE * SIDE).map(height).collect();
+        let ways: [super::Ways; PATTERN * PATTERN] = std::array::from_fn(super::ways);
+        let raw: Vec<f32> = (0..heights.len())
+            .map(|at| super::sky(&heights, at, &ways))
+            .collect();
+        let open = (0..raw.len()).map(|at| super::mean(&raw, at)).collect();
+        FloorContact {
+            maps: None,
+            middle: Vec3::ZERO,
+            scale: 1.0,
+            heights,
+            raw,
+            open,
+        }
+    }
+
+    /// Around something round, the floor has no streaks: it is about as dark on all sides, and gets lighter outwards.
+    #[test]
+    fn a_round_body_leaves_no_streaks_on_the_floor() {
+        for (radius, heights) in [(4.0, [5.0, 16.0]), (2.2, [6.0, 20.0]), (7.0, [0.0, 12.0])] {
+            let contact = around_cylinder(radius, heights);
+            let mut inner = 0.0;
+            for away in [10.0_f32, 12.0, 15.0, 18.0, 22.0] {
+                let at = |degrees: u32| {
+                    let (sin, cos) = libm::sincosf((degrees as f32).to_radians());
+                    contact.open(Vec3::new(away * cos, 0.0, away * sin))
+                };
+                let [mut low, mut high, mut sum] = [1.0_f32, 0.0, 0.0];
+                for open in (0..360).map(at) {
+                    (low, high, sum) = (low.min(open), high.max(open), sum + open);
+                }
+                assert!(high - low < 0.018, "{radius}, {away}: {low} to {high}");
+                assert!(sum / 360.0 > inner, "{radius}, {away}: {sum}");
+                inner = sum / 360.0;
+            }
+        }
+    }
 }
