@@ -35,6 +35,12 @@ function scale({ language, last }: View, Y: (step: number) => number): string {
   return `${bands.join('')}${rest}${marks.join('')}${steps.join('')}${name}${text(X(WIDEST) + 2, BOTTOM + 16, symbol('w', 'w'), 'number', 'end')}`;
 }
 
+/** The name of a stop: right of the bands, with a line from its dot, or left of a dot that is there. It lies on the track. */
+function named(x: number, y: number, words: string): string {
+  if (x + 8 > X(NAMED) - 5) return text(x - 9, y + 4, words, 'stop-name halo', 'end');
+  return `${line([x + 8, y], [X(NAMED) - 5, y], 'leader')}${text(X(NAMED), y + 4, words, 'stop-name halo', 'start')}`;
+}
+
 /** The stops that have been passed, except one at the last step: on the track, with their names where there is room. */
 function stops(view: View, packing: number, Y: (step: number) => number): string {
   let free = -Infinity;
@@ -45,8 +51,7 @@ function stops(view: View, packing: number, Y: (step: number) => number): string
       const dot = circle([X(Math.min(w, WIDEST)), Y(step)], 3, 'stop');
       if (packing > 0 || Y(step) < free + APART) return packing > 0 ? '' : dot;
       free = Y(step);
-      const words = text(X(NAMED), Y(step) + 4, pick(name, view.language), 'stop-name', 'start');
-      return `${dot}${line([X(Math.min(w, WIDEST)) + 8, Y(step)], [X(NAMED) - 5, Y(step)], 'leader')}${words}`;
+      return `${dot}${named(X(Math.min(w, WIDEST)), Y(step), pick(name, view.language))}`;
     })
     .join('');
 }

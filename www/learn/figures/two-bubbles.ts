@@ -5,7 +5,7 @@
  */
 import type { Ask, Figure, Language, Moment, Seen, Stop, Trace } from './figure';
 import { between, isPair, parting, REACH, rest, touch, trialOf, turn } from './rules';
-import { DAMPING, DISTANCE, HELD, INTEGRATOR, inWords, joined, MARK, MASS, moves, number, sentence, START, STIFFNESS, stands, TIME_STEP } from './words';
+import { DAMPING, DISTANCE, HELD, INTEGRATOR, inWords, joined, MARK, MASS, moves, number, sentence, START, STIFFNESS, stands, TIME_STEP, way } from './words';
 
 const PAIR = 'outline=square&size=256&kind=circle&cs=64&edge=open&pop=off&fend=0&mend=0&most=1000';
 
@@ -64,6 +64,12 @@ const near: Ask = {
   ),
 };
 
+/** The time step as the texts write it: 0.55, 1.0. */
+function timeStep(trace: Trace | undefined): string {
+  const value = Number(trace?.value('dt'));
+  return number(value, Number.isInteger(value * 10) ? 1 : 2);
+}
+
 const broken: Ask = {
   key: 'broken',
   answers: { a: { en: 'it rests', ja: '静止する' }, b: { en: 'it swings for ever', ja: '揺れ続ける' }, c: { en: 'it flies apart', ja: '飛び離れる' } },
@@ -71,7 +77,7 @@ const broken: Ask = {
     ({ traces, step }) => {
       const [euler, kutta] = traces.map(({ moments }) => moments[step]);
       if (!euler || !kutta || step < 20 || euler.w <= REACH || Math.abs(kutta.w - 1) > 0.02) return undefined;
-      return [traces[0]?.value('dt') ?? '', number(euler.w, 3), number(kutta.w, 3)];
+      return [timeStep(traces[0]), number(euler.w, 3), number(kutta.w, 3)];
     },
     [['0.00', '00.000', '0.000']],
     (language, dt, away, stays) =>
@@ -134,14 +140,24 @@ const isAtRest = ({ moments }: Trace, step: number): boolean => step > 0 && step
 /** A hint at something to try next. */
 function hint(trace: Trace, step: number, language: Language): string {
   if (step === 0) return language === 'ja' ? '右のバブルを動かすか、「再生」で放してください。' : 'Move the right bubble, or press play to let go.';
-  if (isAtRest(trace, step)) return language === 'ja' ? '力はほとんど残っておらず、静止しています。ほかの距離からも試してください。' : 'Almost no force is left: they are at rest. Try another start.';
+  if (isAtRest(trace, step)) return atRest(trace.moments[step], language);
   return language === 'ja' ? '一歩ずつ進めたり戻したりして、力の向きを見てください。' : 'Step on or back and watch which way the force points.';
+}
+
+/** A pair at rest: no force is left, or so little that nothing moves. */
+function atRest(moment: Moment | undefined, language: Language): string {
+  const isLeft = moment !== undefined && way(moment) !== 'none';
+  return inWords(
+    language,
+    `${isLeft ? 'So little force is left that they are at rest.' : 'They are at rest.'} Try another start.`,
+    `${isLeft ? '力はほとんど残っておらず、' : ''}静止しています。ほかの距離からも試してください。`,
+  );
 }
 
 function toldTwice({ traces, step }: Seen, language: Language): string {
   const names = language === 'ja' ? ['陽的オイラー法', 'ルンゲ・クッタ法'] : ['Explicit Euler', 'Runge–Kutta'];
   const parts = traces.map(({ moments }, k) => `${names[k] ?? ''}: w = ${number(moments[step]?.w ?? 0, 3)}`);
-  const dt = traces[0]?.value('dt') ?? '';
+  const dt = timeStep(traces[0]);
   const same = language === 'ja' ? `力も減衰も同じ、時間刻みも同じ${dt}です。` : `The same force, the same damping, the same time step of ${dt}.`;
   const tryIt = language === 'ja' ? '刻みを0.2、0.55、1.0に変えてみてください。' : 'Try steps of 0.2, 0.55 and 1.0.';
   return joined(language, same, language === 'ja' ? `${parts.join('、')}。` : `${parts.join('; ')}.`, tryIt);
