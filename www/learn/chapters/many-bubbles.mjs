@@ -70,7 +70,7 @@ export const manyBubbles = {
         { value: 'c', text: { en: 'Two pictures, two energies', ja: '絵もエネルギーも違う' }, right: true },
       ],
       caption: {
-        en: 'Two crowds with other first places in one outline, side by side, and their energy step by step.',
+        en: 'Two crowds with different first places in one outline, side by side, and their energy step by step.',
         ja: '同じ輪郭の中で、初期位置だけが違う二つの群れと、ステップごとのエネルギー。',
       },
     },

@@ -7,16 +7,24 @@ import { digitsOf, marksOf } from './plot';
 
 const [LEFT, RIGHT, TOP, BOTTOM] = [64, WIDTH - 24, 44, SIDE - 44];
 
-/** The room of a level, and the most levels: earlier ones make room for later ones. */
+/** The room of a level, and the most levels. */
 const ROOM = 52;
 const MOST = Math.floor((RIGHT - LEFT) / ROOM);
+
+/** The levels that have room beside an unknown one: the first, the marked one, and those that were found last. */
+function shownOf(all: readonly Bar[]): readonly Bar[] {
+  if (all.length < MOST) return all;
+  const kept = all.filter(({ isMarked }, k) => k === 0 || isMarked);
+  const others = all.filter((bar) => !kept.includes(bar)).slice(kept.length + 1 - MOST);
+  return all.filter((bar) => kept.includes(bar) || others.includes(bar));
+}
 
 /** The least height of the axis, so that small differences stay small. */
 const LEAST = 0.2;
 
 export function levels(view: View, { bars, digits = 2, title }: Plate): string {
   const all = bars?.(view, view.language) ?? [];
-  const shown = [...all.slice(0, 1), ...all.slice(1).slice(2 - MOST)];
+  const shown = shownOf(all);
   const values = shown.map(({ value }) => value);
   const middle = values.length ? (Math.min(...values) + Math.max(...values)) / 2 : 0;
   const half = Math.max(LEAST, ...values.map((value) => Math.abs(value - middle) + LEAST / 4));

@@ -125,8 +125,9 @@ function toldBest(seen: Seen, language: Language): string {
   const now = atOf(seen);
   if (!now) return '';
   const [n, energy, still] = [countOf(now), number(energyOf(now), 3), isAtRest(seen.traces[0], seen.step)];
-  if (language === 'ja') return `${n}個のバブルが、エネルギー${energy}で${still ? '静止しています' : '動いています'}。これまでに試した始め方は${seen.trials.length}通りです。${still ? '別の初期位置でも試してください。' : '静止するまで進めてください。'}`;
-  return `${n} bubbles ${still ? 'at rest' : 'on the move'} with an energy of ${energy}. Starts tried so far: ${seen.trials.length}. ${still ? 'Try other first places.' : 'Go on until they rest.'}`;
+  const isBegun = seen.step > 0;
+  if (language === 'ja') return `${n}個のバブルが${isBegun ? '' : '初期位置にあり、'}エネルギー${energy}で${still ? '静止しています' : isBegun ? '動いています' : '動き出すところです'}。これまでに試した始め方は${seen.trials.length}通りです。${still ? '別の初期位置でも試してください。' : '静止するまで進めてください。'}`;
+  return `${n} bubbles ${still ? 'at rest' : isBegun ? 'on the move' : 'at their first places'}, with an energy of ${energy}. Starts tried so far: ${seen.trials.length}. ${still ? 'Try other first places.' : 'Go on until they rest.'}`;
 }
 
 function toldQuiet(seen: Seen, language: Language): string {
@@ -134,8 +135,9 @@ function toldQuiet(seen: Seen, language: Language): string {
   if (!trace || !now) return '';
   const [c, move] = [trace.value('damp'), number(now.move, 3)];
   const rest = restOf(trace);
-  const stand = language === 'ja' ? `減衰c = ${c}。最も大きく動くバブルは、一歩に大きさの${move}倍動きます。` : `Damping c = ${c}. The fastest bubble moves ${move} sizes in a step.`;
-  if (seen.step === 0) return joined(language, stand, language === 'ja' ? '「再生」で放してください。' : 'Press play to let go.');
+  const damped = inWords(language, `Damping c = ${c}.`, `減衰c = ${c}。`);
+  if (seen.step === 0) return joined(language, damped, inWords(language, 'They are still. Press play to let go.', 'まだ動いていません。「再生」で放してください。'));
+  const stand = joined(language, damped, inWords(language, `In this step the fastest bubble moved ${move} sizes.`, `この一歩で最も大きく動いたバブルの移動量は、大きさの${move}倍です。`));
   if (!isAtRest(trace, seen.step)) return joined(language, stand, language === 'ja' ? 'まだ動いています。減衰を変えてみてください。' : 'They are still moving. Try another damping.');
   return joined(language, stand, language === 'ja' ? `${rest ?? 0}ステップで静止しました。` : `They came to rest after ${rest ?? 0} steps.`);
 }
@@ -201,8 +203,8 @@ const best: Ask = {
     (language, own, lower, gain) =>
       inWords(
         language,
-        `The first packing had ${own}, this one ${lower}: the first was not the best. Each start ends in the first valley on its way. The gain is ${gain} %, which no eye sees: good enough, and quick.`,
-        `最初の充填のエネルギーは${own}、今回は${lower}で、最初のものは最良ではありませんでした。どの始め方も、最初に着いた谷で止まります。差は${gain} %で目には見えず、これで十分です。`,
+        `The first packing had ${own}, another one ${lower}: the first was not the best. Each start ends in the first valley on its way. The gain is ${gain} %, which no eye sees: good enough, and quick.`,
+        `最初の充填のエネルギーは${own}、別の充填は${lower}で、最初のものは最良ではありませんでした。どの始め方も、最初に着いた谷で止まります。差は${gain} %で目には見えず、これで十分です。`,
       ),
   ),
 };
@@ -285,7 +287,7 @@ export const MANY_BUBBLES: readonly Figure[] = [
   {
     name: 'best', fits, at: [], recipe: `${AT_RANDOM}&seed=3&damp=1`, packings: [{}], last: 200, opens: 200, steps: 'step',
     plates: [
-      { draw: 'crowd', packing: 0, title: { en: 'At rest: the best?', ja: '静止した充填。最良か' }, note: energyNote(0) },
+      { draw: 'crowd', packing: 0, title: { en: 'The best packing?', ja: 'これが最良の充填か' }, note: energyNote(0) },
       { draw: 'levels', packing: 0, title: { en: 'Energies at rest', ja: '静止したときのエネルギー' }, digits: 3, bars: levels },
     ],
     stops: [START, AT_REST, OVER], handles: [FIRST, JOLT, DAMPING], more: [], trial, asks: [best], told: toldBest,
@@ -293,7 +295,7 @@ export const MANY_BUBBLES: readonly Figure[] = [
   {
     name: 'quiet', fits, at: [], recipe: `${SHAKEN}&cs=34&jolt=0.3&seed=1&dt=0.3&damp=0.1`, packings: [{}], last: 100, opens: 100, steps: 'step',
     plates: [
-      { draw: 'crowd', packing: 0, title: { en: 'Too lively', ja: '揺れすぎる群れ' } },
+      { draw: 'crowd', packing: 0, title: { en: 'Shaken, and let go', ja: '揺さぶって放した群れ' } },
       { draw: 'plot', packing: 0, title: { en: 'Largest move in sizes', ja: '最大の移動量（大きさを1とする）' }, digits: 3, lines: [MOVE] },
     ],
     stops: [START, AT_REST, OVER], handles: [DAMPING, BEND], more: [], asks: [quiet], told: toldQuiet,
