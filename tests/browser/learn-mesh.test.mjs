@@ -255,7 +255,7 @@ test('the numbers of angles stay on their plates when points and looks are at th
   const { page, problems, close } = await chapter();
   for (const [name, key] of /** @type {const} */ ([['flip', 'at'], ['flip', 'given'], ['close', 'given']])) {
     const figure = await at(page, name);
-    for (const [x, y] of /** @type {const} */ ([[0.03, 0.04], [0.97, 0.03], [0.96, 0.97], [0.03, 0.96]])) {
+    for (const [x, y] of /** @type {const} */ ([[0.05, 0.06], [0.95, 0.05], [0.94, 0.95], [0.05, 0.94]])) {
       if (key === 'given') await write(page, figure, x, y);
       else await page.mouse.click(...(await placeOn(page, figure, 0, x, y)));
       await stands(page, figure, key, x, y, 0.01);

@@ -14,6 +14,9 @@ const X = (angle: number): number => LEFT + (angle / LARGEST) * (RIGHT - LEFT);
 
 export const angleAt = (x: number): number => ((x - LEFT) / (RIGHT - LEFT)) * LARGEST;
 
+/** The number of a median stands left of it if the reader's mark is nearer than this on the right. */
+const NAMED = 56;
+
 /** The floor of a row. */
 const floorOf = (row: number): number => TOP + ROW * (row + 1) - 8;
 
@@ -47,7 +50,9 @@ function rowOf(view: View, { name, letter }: AngleRow, row: number, { counts, me
   });
   const of = view.language === 'ja' ? `${faces.length}個` : `of ${faces.length}`;
   const names = `${text(LEFT - 10, floor - 18, name[view.language], 'key', 'end')}${text(LEFT - 10, floor - 3, of, 'number', 'end')}`;
-  const middle = `${line([X(median), floor], [X(median), floor - POLE + 2], 'median')}${text(X(median) + (median > 50 ? -5 : 5), floor - POLE + 9, `${number(median, 1)}°`, 'median-name', median > 50 ? 'end' : 'start')}`;
+  const beyond = X(view.at[row] ?? 0) - X(median);
+  const isLeft = median > 50 || (beyond > -8 && beyond < NAMED);
+  const middle = `${line([X(median), floor], [X(median), floor - POLE + 2], 'median')}${text(X(median) + (isLeft ? -5 : 5), floor - POLE + 9, `${number(median, 1)}°`, 'median-name', isLeft ? 'end' : 'start')}`;
   return `${line([LEFT, floor], [RIGHT, floor], 'axis')}${bars.join('')}${names}${middle}${mark(letter, row, view.at[row] ?? 0)}`;
 }
 

@@ -14,6 +14,9 @@ import { at, circle, line, svg, symbol, text, unit, WIDTH } from './plate';
 const MIDDLE: Place = [WIDTH / 2, 156];
 const RADIUS = 128;
 
+/** The lowest line of a letter. */
+const LOWEST = 292;
+
 /** The bar: its ends and its top. */
 const [LEFT, RIGHT, TOP, TALL] = [40, WIDTH - 40, 336, 16];
 
@@ -73,7 +76,10 @@ function beside(place: Place, from: Place, letter: string): string {
 function angleAt(corner: Place, one: Place, other: Place, angle: number): string {
   const [from, to] = [unit(corner, one), unit(corner, other)];
   const [x, y] = middleOf(from, to);
-  const name = text(corner[0] - 22 * x, Math.max(20, corner[1] - 22 * y + 5), symbol('gamma', 'γ'), 'letter-of');
+  const [left, down] = [corner[0] - 22 * x, Math.max(20, corner[1] - 22 * y + 5)];
+  // The lowest corners have the numbers below them, so the letter stands beside these.
+  const place = down < LOWEST ? [left, down] as const : [corner[0] + (x > 0 ? -18 : 18), LOWEST] as const;
+  const name = text(...place, symbol('gamma', 'γ'), 'letter-of');
   return `<path class="sector gamma" d="${sectorPath(corner, from, to, angle < BAD ? 84 : 44)}"/>${name}`;
 }
 

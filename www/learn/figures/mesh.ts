@@ -13,7 +13,8 @@ const SHARES: Words = { en: 'picture sides', ja: '（画像の一辺を1とす�
 const point = { kind: 'point', unit: SHARES, origin: [0, 0], scale: 1, from: 0, to: 1, stride: 0.01, fine: 0.002, coarse: 0.1, digits: 3, plates: [0] } as const;
 
 const LOOK: PointHandle = { ...point, key: 'at', name: { en: 'Look at', ja: '見るところ' } };
-const POINT: PointHandle = { ...point, key: 'given', name: { en: 'Point', ja: '点' }, from: 0.03, to: 0.97, fine: 0.001 };
+/** The outline begins at 0.047: a point outside of it is not there. */
+const POINT: PointHandle = { ...point, key: 'given', name: { en: 'Point', ja: '点' }, from: 0.05, to: 0.95, fine: 0.001 };
 
 const counted = { kind: 'number', unit: { en: '', ja: '' }, symbol: '', stride: 1, fine: 1, coarse: 10, digits: 0 } as const;
 
@@ -248,7 +249,7 @@ export const MESHES: readonly Figure[] = [
     last: 200, opens: 5, steps: 'step', joinsFirst: true,
     plates: [
       { draw: 'mesh', packing: 0, always: 0, title: { en: 'At random', ja: 'ランダム' } },
-      { draw: 'mesh', packing: 1, always: 0, title: { en: 'Lloyd', ja: 'ロイド法' }, note: (seen, language) => inWords(language, `${roundsOf(seen)} rounds`, `${roundsOf(seen)}回`) },
+      { draw: 'mesh', packing: 1, always: 0, title: { en: 'Lloyd', ja: 'ロイド法' }, note: (seen, language) => inWords(language, `${roundsOf(seen)} ${roundsOf(seen) === 1 ? 'round' : 'rounds'}`, `${roundsOf(seen)}回`) },
       { draw: 'mesh', packing: 0, title: { en: 'Packed', ja: '充填' }, note: (seen, language) => (isAtRest(seen) ? inWords(language, 'at rest', '静止') : inWords(language, `step ${seen.step}`, `${seen.step}ステップ`)) },
       { draw: 'angles', packing: 0, angles: ROWS, title: { en: 'Triangles by their smallest angle', ja: '最小角ごとの三角形の数' }, note: (_seen, language) => inWords(language, 'line: the middle', '線：中央値') },
     ],
