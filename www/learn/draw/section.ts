@@ -44,7 +44,7 @@ function axes({ language }: View): string {
 /** The names of the two lines, with a piece of each. */
 function names({ language }: View): string {
   const rows = language === 'ja' ? ['辺の真ん中の先', '角の先（45°）'] : ['beyond an edge', 'beyond a corner (45°)'];
-  return rows.map((words, k) => `${line([X(1.08), TOP + 16 + 18 * k], [X(1.28), TOP + 16 + 18 * k], k ? 'curve dashed' : 'curve')}${text(X(1.34), TOP + 20 + 18 * k, words, 'key halo', 'start')}`).join('');
+  return rows.map((words, k) => `${line([X(1.16), TOP + 16 + 18 * k], [X(1.3), TOP + 16 + 18 * k], k ? 'curve dashed' : 'curve')}${text(X(1.34), TOP + 20 + 18 * k, words, 'key halo', 'start')}`).join('');
 }
 
 /** The well and the pass with their places, and the barrier between them. */

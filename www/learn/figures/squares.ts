@@ -36,7 +36,7 @@ const SEED: NumberHandle = {
 
 const JOLT: NumberHandle = {
   kind: 'number', key: 'jolt', symbol: '', name: { en: 'Jolt', ja: '乱し方' }, unit: { en: 'sides', ja: '辺' },
-  from: 0, to: 0.8, stride: 0.05, fine: 0.01, coarse: 0.2, digits: 2,
+  from: 0, to: 0.6, stride: 0.05, fine: 0.01, coarse: 0.2, digits: 2,
 };
 
 const START: Stop = { key: 'start', name: { en: 'Start', ja: '開始' }, find: () => 0 };
@@ -75,8 +75,8 @@ const from: Ask = {
     (language, weight, barrier) =>
       inWords(
         language,
-        `At weight 0 it stayed at 45°; at ${weight} it slid to an edge. ${barrier ? `The pass at 45° is only ${barrier} k₀ higher than the wells, but it is higher. ` : ''}Any weight above 0 makes four wells out of the ring.`,
-        `重み0では45°にとどまり、重み${weight}では辺へ滑りました。${barrier ? `45°の峠は井戸よりわずか${barrier} k₀高いだけですが、それで十分です。` : ''}0より大きければ、どんな重みでも輪は四つの井戸に分かれます。`,
+        `At weight 0 it stayed near 45°; at ${weight} it slid to an edge. ${barrier ? `The pass at 45° is only ${barrier} k₀ higher than the wells, but it is higher. ` : ''}Any weight above 0 makes four wells out of the ring.`,
+        `重み0では45°の近くにとどまり、重み${weight}では辺へ滑りました。${barrier ? `45°の峠は井戸よりわずか${barrier} k₀高いだけですが、それで十分です。` : ''}0より大きければ、どんな重みでも輪は四つの井戸に分かれます。`,
       ),
   ),
 };
@@ -145,7 +145,7 @@ function landIn(trace: Trace, language: Language): string {
   if (!land) return '';
   const [weight, deep, high] = [number(weightOf(trace), 3), number(-land.well.energy, 4), number(land.pass.energy - land.well.energy, 4)];
   if (weightOf(trace) === 0) return inWords(language, `Without corner bubbles all places at w = 1 are alike: a ring, ${deep} k₀ deep.`, `隅のバブルがなければ、w = 1の場所はどこも同じで、深さ${deep} k₀の輪になります。`);
-  return inWords(language, `With a corner weight of ${weight} there are four wells at w = ${number(land.well.w, 2)}, ${deep} k₀ deep, and a barrier of ${high} between two.`, `隅の重み${weight}では、w = ${number(land.well.w, 2)}に深さ${deep} k₀の井戸が四つあり、間の障壁は${high}です。`);
+  return inWords(language, `With a corner weight of ${weight} there are four wells at w = ${number(land.well.w, 2)}, ${deep} k₀ deep, and a barrier of ${high} k₀ between two.`, `隅の重み${weight}では、w = ${number(land.well.w, 2)}に深さ${deep} k₀の井戸が四つあり、間の障壁は${high} k₀です。`);
 }
 
 function toldPair(hint: { readonly en: string; readonly ja: string }) {
@@ -203,17 +203,19 @@ const pair = (x: number, y: number, values: string): string => `${OPEN}&cs=64&fe
 
 const PAIR = { fits: isPair, at: [], packings: [{}], steps: 'step', hasLandscape: true, stops: [START, EDGE, STILL, OVER] } as const;
 
-/** The heights of the wells and of the passes, with their signs on the map. */
+/** The heights of the wells and of the passes, with their signs on the map; without corner bubbles that of the ring. */
 function heights({ traces: [trace] }: Seen, language: Language): string {
   const { well, pass } = trace?.landscape ?? {};
-  if (!well || !pass) return '';
+  if (!trace || !well || !pass) return '';
+  if (weightOf(trace) === 0) return inWords(language, `ring ${number(well.energy, 4)} k₀`, `輪 ${number(well.energy, 4)} k₀`);
   const [low, high] = [number(well.energy, 4), number(pass.energy, 4)];
   return inWords(language, `+ well ${low}, × pass ${high} k₀`, `＋井戸 ${low}、×峠 ${high} k₀`);
 }
 
 function barrier({ traces: [trace] }: Seen, language: Language): string {
   const { well, pass } = trace?.landscape ?? {};
-  return well && pass ? `${inWords(language, 'barrier', '障壁')} ${number(pass.energy - well.energy, 4)} k₀` : '';
+  if (!trace || !well || !pass) return '';
+  return weightOf(trace) === 0 ? inWords(language, 'no barrier', '障壁なし') : `${inWords(language, 'barrier', '障壁')} ${number(pass.energy - well.energy, 4)} k₀`;
 }
 
 const mapOf = (ground: string): Plate => ({ draw: 'landscape', packing: 0, ground, title: { en: 'From above', ja: '真上から' }, note: heights });
