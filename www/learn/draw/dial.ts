@@ -12,6 +12,9 @@ const BELOW = WIDTH - 20;
 /** The cosine of the angle at which two names are in each other's way, and the shortest arrow. */
 const [NEAR, LEAST] = [0.94, 0.02];
 
+/** The cosine of the angle at which the names of two terms would lie on each other, and the height of a line. */
+const [CLOSE, LINE] = [0.985, 18];
+
 const place = (degrees: number, far: number): Place => {
   const angle = (degrees * Math.PI) / 180;
   return [MIDDLE + far * Math.cos(angle), CENTRE + far * Math.sin(angle)];
@@ -21,7 +24,7 @@ export function dial(view: View, { hands, title }: Plate): string {
   const all = hands?.(view, view.language) ?? [];
   const said = [title?.[view.language] ?? '', ...all.filter(({ kind }) => kind !== 'ghost').map(({ name, degrees }) => `${name} ${number(degrees, 0)}°`)].filter(Boolean).join(', ');
   const last = all.at(-1);
-  return svg(WIDTH, said, `${face(all)}${last ? arc(last) : ''}${all.map(handOf).join('')}${circle([MIDDLE, CENTRE], 4.5, 'hub')}`);
+  return svg(WIDTH, said, `${face(all)}${last ? arc(last) : ''}${all.map((hand, k) => handOf(hand, all.slice(0, k))).join('')}${circle([MIDDLE, CENTRE], 4.5, 'hub')}`);
 }
 
 /** Degrees at the rim, unless the name of an arrow stands there. */
@@ -43,11 +46,19 @@ function arc({ degrees }: Hand): string {
 }
 
 /** An arrow with its name: that of a term stands outside, that of the sum below the dial. */
-function handOf({ degrees, length, kind, name }: Hand): string {
+function handOf({ degrees, length, kind, name }: Hand, before: readonly Hand[]): string {
   if (length < LEAST) return kind === 'sum' ? text(MIDDLE, BELOW, name, 'key marked sum-said') : '';
   const [x, y] = place(degrees, RADIUS * length);
-  const [nx, ny] = place(degrees, RADIUS + 14);
-  const across = (nx - MIDDLE) / (RADIUS + 14);
-  const label = kind === 'sum' ? text(MIDDLE, BELOW, name, 'key marked sum-said') : text(nx, ny + 5, name, 'key', across > 0.3 ? 'start' : across < -0.3 ? 'end' : 'middle');
+  const label = kind === 'sum' ? text(MIDDLE, BELOW, name, 'key marked sum-said') : termName(degrees, name, before);
   return `${arrowTo([MIDDLE, CENTRE], [x - MIDDLE, y - CENTRE], `hand ${kind}`)}${name && label}`;
+}
+
+/** The name of a term outside of the dial; it makes room for that of an earlier term which points nearly the same way. */
+function termName(degrees: number, name: string, before: readonly Hand[]): string {
+  const [x, y] = place(degrees, RADIUS + 14);
+  const across = (x - MIDDLE) / (RADIUS + 14);
+  const near = before.find((hand) => hand.kind === 'term' && Math.cos(((hand.degrees - degrees) * Math.PI) / 180) > CLOSE);
+  const [, taken] = place(near?.degrees ?? 0, RADIUS + 14);
+  const way = Math.abs(y - taken) > 1 ? Math.sign(y - taken) : y < CENTRE ? -1 : 1;
+  return text(x, (near ? taken + way * LINE : y) + 5, name, 'key', across > 0.3 ? 'start' : across < -0.3 ? 'end' : 'middle');
 }

@@ -28,6 +28,9 @@ const ANGLE = 82;
 /** Shorter arrows have no head. */
 const SHORT = 4;
 
+/** A point nearer than this to the name of an upright side is in its way. */
+const ASIDE = 26;
+
 /** The length that stands for all terms in the picture, where their sum is drawn at the point. */
 const AT_POINT = 84;
 
@@ -91,7 +94,7 @@ function arrowsIn({ outline }: Trace, { list, printed }: SegmentTerms, groups: r
   const ends = list.map(({ from, to }) => nearest(toPlate(from), toPlate(to), point));
   const near = `<g data-symbol="distance">${ends.map((end) => line(point, end, 'reach')).join('')}</g>${distanceTo(point, ends)}`;
   const arrows = list.map(({ from, to }) => arrowTo(toPlate(from), minus(toPlate(to), toPlate(from)), 'side')).join('');
-  return `<g transform="translate(0 ${MIDDLE - SIDE / 2})">${ground}</g>${near}${arrows}${groups.map(named).join('')}${sumAt(point, printed)}`;
+  return `<g transform="translate(0 ${MIDDLE - SIDE / 2})">${ground}</g>${near}${arrows}${groups.map((group) => named(group, point, printed)).join('')}${sumAt(point, printed)}`;
 }
 
 /** The name of the longest distance, which has the most room: on its side towards the middle, beyond the arrow of the sum. */
@@ -119,8 +122,11 @@ function nearest([ax, ay]: Place, [bx, by]: Place, [x, y]: Place): Place {
   return [ax + share * dx, ay + share * dy];
 }
 
-/** The name of a side beside its middle: above or below it, and inside of an upright one, which has no room outside. */
-function named(group: Straight): string {
+/**
+ * The name of a side beside its middle: above or below it, and inside of an upright one, which has no room outside. There it
+ * makes room for the point and the arrow of the sum.
+ */
+function named(group: Straight, point: Place, [, down]: Place): string {
   const [first, last] = [group.terms[0], group.terms.at(-1)];
   if (!first || !last) return '';
   const [from, to] = [toPlate(first.from), toPlate(last.to)];
@@ -128,7 +134,9 @@ function named(group: Straight): string {
   const length = Math.hypot(dx, dy) || 1;
   const isUpright = Math.abs(dy) > Math.abs(dx);
   const [x, y] = [(from[0] + to[0]) / 2 - (18 * dy) / length, (from[1] + to[1]) / 2 - (14 * dx) / length];
-  return lettered(x, isUpright ? y - 8 : y + 4, 'segment', 's', numbersOf(group));
+  const isBelow = Math.abs(point[1] - y) > 12 ? point[1] < y : down < 0;
+  const inside = Math.abs(point[0] - x) > ASIDE ? y - 8 : y + (isBelow ? 24 : -20);
+  return lettered(x, isUpright ? inside : y + 4, 'segment', 's', numbersOf(group));
 }
 
 /** The cross of the direction at the point, and the crosses all over the outline. */

@@ -1,5 +1,5 @@
 /** How far a direction has turned over a walk, in quarter turns. */
-import { STEPS } from '../figures/directions';
+import { inQuarters, STEPS } from '../figures/directions';
 import type { Plate, View } from '../figures/figure';
 import { number } from '../figures/words';
 import { SIDE } from './crowd';
@@ -30,7 +30,7 @@ function drawn({ step, furthest }: View, values: readonly number[], y: (value: n
   const now = values[step] ?? 0;
   const isLate = step > STEPS - 12;
   const place = [X(step), y(now)] as const;
-  const name = text(place[0] + (isLate ? -12 : 12), place[1] - 10, number(now, Number.isInteger(now) ? 0 : 1), 'key marked halo', isLate ? 'end' : 'start');
+  const name = text(place[0] + (isLate ? -12 : 12), place[1] - 10, inQuarters(now), 'key marked halo', isLate ? 'end' : 'start');
   return `${path(upTo(furthest), 'line later')}${path(upTo(step), 'line line-0')}${line([place[0], y(0)], place, 'now')}${circle(place, 5.5, 'here')}${name}`;
 }
 

@@ -70,11 +70,11 @@ function singular({ directions }: Trace, { at: [x = 0, y = 0, radius = 0], step,
     .join('');
 }
 
-/** The place of a point's name: on the side away from the mean of all points. */
+/** The place of a point's name: on the side away from the mean of all points, or left of a single one, as the radius has its grip on the right. */
 function beside([x, y]: readonly [number, number], all: readonly (readonly [number, number])[]): [number, number] {
   const middle = (axis: 0 | 1): number => all.reduce((sum, place) => sum + place[axis], 0) / all.length;
   const [dx, dy] = [x - middle(0), y - middle(1)];
   const length = Math.hypot(dx, dy);
-  const [u, v] = length < 1 ? [0.7, -0.7] : [dx / length, dy / length];
+  const [u, v] = length < 1 ? [-1, 0] : [dx / length, dy / length];
   return [x + 17 * u, y + 17 * v + 5];
 }

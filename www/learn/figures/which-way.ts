@@ -2,16 +2,15 @@
  * The figures of chapter 5, "Which way?" (Miyata, Itoh and Shimada 2000, section 4.1, equation (1), and 2001, section 4). They
  * need the fields of a recipe alone. Places are in shares of the picture's side.
  */
-import { asSquare, degreesOf, STEPS } from './directions';
+import { asSquare, degreesOf, inQuarters, STEPS } from './directions';
 import type { Ask, Figure, Hand, Language, Plate, Seen, Stop, Trace } from './figure';
 import { ANGLE, angleIn, CENTRE, HEIGHT, IN_ROAD, OUTLINE, PIECES, POWER, ROUND, roadOf, STROKES, strokesAt, WALK_RADIUS } from './which-way-handles';
 import { inWords, joined, number, sentence } from './words';
 
 const whole = (value: number): string => number(value, 0);
 
-/** Quarter turns; hundredths only where they are not whole. */
 function quarterTurns(value: number, language: Language): string {
-  const turns = number(value, Math.abs(value - Math.round(value)) < 0.005 ? 0 : 2);
+  const turns = inQuarters(value);
   return inWords(language, `${turns} quarter ${/^−?1$/.test(turns) ? 'turn' : 'turns'}`, `90°の${turns}回分`);
 }
 
@@ -179,7 +178,7 @@ function toldWalk({ traces: [trace], at, step }: Seen, language: Language): stri
   if (!now) return joined(language, way, inWords(language, 'It leaves the outline, or runs over a singular point: it counts nothing.', '輪郭の外に出るか、特異点の上を通るので、数えません。'), inWords(language, 'Move it inside.', '内側へ動かしてください。'));
   const turned = inWords(language, `After ${whole((360 * step) / STEPS)}° the cross has turned by ${number(90 * now.quarters, 0)}°, ${quarterTurns(now.quarters, language)}.`, `${whole((360 * step) / STEPS)}°進んで、十字は${number(90 * now.quarters, 0)}°（${quarterTurns(now.quarters, language)}）回りました。`);
   const least = inWords(language, `The certainty on it is at least ${number(leastOf(trace, at), 3)}.`, `途中の確かさは${number(leastOf(trace, at), 3)}以上です。`);
-  return joined(language, way, turned, least, inWords(language, 'Move it, or make it larger.', '動かすか、大きくしてみてください。'));
+  return joined(language, way, turned, least, Number(at[2]) < WALK_RADIUS.to ? inWords(language, 'Move it, or make it larger.', '動かすか、大きくしてみてください。') : inWords(language, 'Move it, or make it smaller.', '動かすか、小さくしてみてください。'));
 }
 
 const turnedNote = ({ traces: [trace], at, step }: Seen, language: Language): string => {
