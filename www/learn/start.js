@@ -17,7 +17,7 @@
   if (!location.hash && navigation?.type === 'navigate') {
     page.dataset.opening = '';
     const open = () => {
-      const next = document.querySelector(':is(.head, .scene):not([data-open])');
+      const next = document.querySelector(':is(header.head, .scene):not([data-open])');
       const isLoading = document.readyState === 'loading';
       // The head or a scene of which only a part has come waits for the rest, which would move what is seen.
       if (next?.nextElementSibling || !isLoading) next?.setAttribute('data-open', '');
