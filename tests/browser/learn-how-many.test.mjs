@@ -24,7 +24,7 @@ test('crosses and empty places say who goes and who comes at the next look', asy
   assert.ok(await drawn(page, figure, 1, 'g .crowded') >= crosses && await drawn(page, figure, 1, 'g .crowded + .hatch') >= crosses);
   assert.equal(await drawn(page, figure, 0, 'g .goes'), 0);
   await seek(page, figure, 10);
-  assert.match((await shown(page, figure)).told, new RegExp(`Right: 60 at the start, ${places} came, ${crosses} went: ${60 + places - crosses} now`));
+  assert.match((await shown(page, figure)).told, new RegExp(`Second: 60 at the start, ${places} came, ${crosses} went: ${60 + places - crosses} now`));
   assert.equal(await drawn(page, figure, 1, 'g .fresh'), places);
 
   // Only cells that are nearer to others than the threshold are hatched: with a low one hardly any is.
@@ -33,7 +33,7 @@ test('crosses and empty places say who goes and who comes at the next look', asy
   await changed(page, figure, hash);
   assert.ok(await drawn(page, figure, 1, 'g .hatch') < 10);
   await toEnd(page, figure);
-  assert.match((await shown(page, figure)).told, /Right: 60 at the start/);
+  assert.match((await shown(page, figure)).told, /Second: 60 at the start/);
   assert.deepEqual(problems, []);
   await close();
 });
@@ -120,14 +120,14 @@ test('outlines of the same area: a smaller size turns the order round; the right
   const { page, problems, close } = await chapter();
   const figure = await at(page, 'count');
   assert.equal(await answer(page, 'count'), '');
-  assert.match((await shown(page, figure)).told, /Left 13 cells, right 19; area over size squared is 17\.3/);
+  assert.match((await shown(page, figure)).told, /The outline holds 13 cells, the square 19; area over size squared is 17\.3/);
   await type(page, figure, 'cs', 28);
   await answered(page, 'count');
-  assert.match(await answer(page, 'count'), /At size 28 the left holds 30, the right 29; the formula says 25\.5/);
+  assert.match(await answer(page, 'count'), /At size 28 the U holds 30, the square 29; the formula says 25\.5/);
   const { hash } = await shown(page, figure);
   await page.$$eval(`${figure} .handle[data-key="poly"] input`, (buttons) => buttons[1]?.click());
   await changed(page, figure, hash);
-  assert.match((await shown(page, figure)).told, /right 29;/);
+  assert.match((await shown(page, figure)).told, /the square 29;/);
 
   const exercise = await at(page, 'right-number');
   for (const count of [34, 37, 36]) {

@@ -63,6 +63,73 @@ test('hands change the recipe: held or free, mass, stiffness', () => {
   assert.ok(reading('pair', { stiff: '4' }).moments[10].w > held.moments[10].w);
 });
 
+test('each handle acts up to both ends of its range, and its choices are those of the recipe', () => {
+  for (const figure of code.FIGURES) {
+    for (const { kind, key, from, to, digits, listed, choices = [] } of [...figure.handles, ...figure.more]) {
+      const made = new code.Reading(module, figure, figure.recipe, figure.packings[0]);
+      const ends = kind === 'number' && !/^(mark|w$)/.test(key) ? [from, to] : [];
+      for (const end of ends) {
+        made.change(key, String(end));
+        const value = listed ? listed.read(made.points(listed.list)) : Number(made.value(key));
+        assert.ok(Math.abs(value - end) < 10 ** -digits / 2, `${figure.name} ${key}: ${end} gives ${value}`);
+      }
+      for (const { word } of choices) {
+        made.change(key, word);
+        assert.equal(made.value(key), word);
+        assert.ok(figure.fits(made), `${figure.name} ${key}: ${word}`);
+      }
+      made.free();
+    }
+  }
+});
+
+test('points by hand stay in the mesh wherever their handles put them', () => {
+  for (const name of ['flip', 'close', 'place']) {
+    const figure = code.FIGURES.find((/** @type {any} */ one) => one.name === name);
+    const handle = figure.handles.find((/** @type {any} */ one) => one.key === 'given');
+    for (const corner of [[handle.from, handle.from], [handle.to, handle.from], [handle.to, handle.to], [handle.from, handle.to]]) {
+      const made = new code.Reading(module, figure, figure.recipe, {});
+      made.move('given', 9, corner, 0);
+      while (!made.advance(1000));
+      assert.equal(made.joined(0).points.size, 12, `${name} ${corner}`);
+      made.free();
+    }
+  }
+});
+
+/** A run at its end, as questions and sentences see it. @param {string} name @param {Record<string, string>} values */
+function atEnd(name, values) {
+  const figure = code.FIGURES.find((/** @type {any} */ one) => one.name === name);
+  const traces = figure.packings.map((/** @type {any} */ own) => {
+    const made = new code.Reading(module, figure, figure.recipe, own);
+    for (const [key, text] of Object.entries(values)) made.change(key, text);
+    while (!made.advance(1000));
+    return made;
+  });
+  return { figure, seen: { traces, step: code.lastStepOf(figure, traces), trials: [], at: figure.at, zero: 0.718, isStill: true, answered: new Set() } };
+}
+
+test('a question on the U is answered by the U alone', () => {
+  const outlines = code.FIGURES.find((/** @type {any} */ one) => one.name === 'count').handles.find((/** @type {any} */ one) => one.key === 'poly').choices;
+  const answers = outlines.map((/** @type {any} */ { word }, /** @type {number} */ k) => {
+    const { figure, seen } = atEnd('count', { poly: word, cs: k ? '34' : '28' });
+    return figure.asks[0].seen(seen, 'en');
+  });
+  assert.match(answers[0], /^At size 28 the U holds 30, the square 29;/);
+  assert.deepEqual(answers.slice(1), [undefined, undefined]);
+});
+
+test('what a figure tells at the end of a run is true: still far apart, still restless', () => {
+  const told = (/** @type {string} */ name, /** @type {Record<string, string>} */ values) => {
+    const { figure, seen } = atEnd(name, values);
+    return figure.told(seen, 'en');
+  };
+  assert.match(told('let-go', { w: '1.6' }), /too far apart: no force\. They are at rest\./);
+  assert.match(told('let-go', {}), /So little force is left that they are at rest\./);
+  assert.match(told('never', { crowd: '0.9', room: '0.95' }), /It has not come to rest\.$/);
+  assert.match(told('crowded', { crowd: '1' }), /They have not come to rest\./);
+});
+
 test('no question is answered by the state that a figure opens with', () => {
   for (const figure of code.FIGURES) {
     const traces = figure.packings.map((/** @type {any} */ own) => {

@@ -88,7 +88,7 @@ function flag({ language }: View, key: 'crowd' | 'room', value: number): string 
   const words = key === 'crowd' ? (language === 'ja' ? '去る' : 'goes below') : language === 'ja' ? '増える' : 'comes from';
   const isBehind = way < 0 ? x < LEFT + 150 : x > RIGHT - 140;
   const side = isBehind ? -way : way;
-  const label = text(x + side * (isBehind ? 14 : 36), y + 5, `${words} ${symbol(key, key === 'crowd' ? 'a' : 'b')} = ${number(value, 2)}`, 'key', side < 0 ? 'end' : 'start');
+  const label = text(x + side * (isBehind ? 14 : 36), y + 5, `${words} ${symbol(key, key === 'crowd' ? 'a' : 'b')} = ${number(value, 2)}`, 'key halo', side < 0 ? 'end' : 'start');
   return `<g class="threshold ${key}" data-symbol="${key}">${line([x, y], [x, FLOOR], 'pole')}<path class="flag" d="M${at(x)} ${y - 8}h${22 * way}l${6 * way} 8l${-6 * way} 8h${-22 * way}z"/>${label}</g>`;
 }
 

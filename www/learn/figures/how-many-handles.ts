@@ -11,7 +11,7 @@ export const AT_START: NumberHandle = {
 /** A cell goes if its nearest neighbour is nearer than this. */
 export const CROWDED: NumberHandle = {
   kind: 'number', key: 'crowd', symbol: 'a', name: { en: 'Goes below', ja: '去る境目' }, unit: RATIO,
-  from: 0.5, to: 1.2, stride: 0.01, fine: 0.01, coarse: 0.1, digits: 2,
+  from: 0.5, to: 1, stride: 0.01, fine: 0.01, coarse: 0.1, digits: 2,
 };
 
 /** Our rule: a cell comes to an empty place if all others are at least this far from it. */
@@ -30,8 +30,8 @@ export const CELL_SIZE: NumberHandle = {
   from: 22, to: 40, stride: 1, fine: 1, coarse: 4, digits: 0,
 };
 
-/** The rule of the left packing, which is the papers'. */
+/** The papers' rule, of the first packing. */
 export const RULE: ChoiceHandle = {
-  kind: 'choice', key: 'pop', name: { en: 'Left: comes', ja: '左：増える所' },
+  kind: 'choice', key: 'pop', name: { en: 'Papers: comes', ja: '論文：増える所' },
   choices: [{ word: 'opposite', name: { en: 'opposite the nearest', ja: '最も近い隣の反対側' } }, { word: 'smallest', name: { en: 'only if there is room', ja: '空きがあるときだけ' } }],
 };

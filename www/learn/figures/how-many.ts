@@ -66,11 +66,26 @@ const cells = (packing: number, en: string, ja: string, isAhead = false): Plate 
 
 function toldCrowded(seen: Seen, language: Language): string {
   const { traces, step } = seen;
-  const names = language === 'ja' ? ['左：', '右：'] : ['Left: ', 'Right: '];
+  const names = language === 'ja' ? ['一つ目：', '二つ目：'] : ['First: ', 'Second: '];
   const rows = traces.map((trace, k) => `${names[k] ?? ''}${counted(trace, step, language)}${language === 'ja' ? '。' : '.'}`);
-  const rest = areAtRest(seen);
-  const hint = language === 'ja' ? (rest ? 'どちらも静止しました。個数を変えて試してください。' : '見どころを順に見て、二つの線が近づくのを確かめてください。') : rest ? 'Both are at rest. Try another number at the start.' : 'Go from stop to stop and watch both lines come together.';
-  return sentences(language, ...rows, hint);
+  return sentences(language, ...rows, hintOnBoth(seen, language));
+}
+
+function hintOnBoth(seen: Seen, language: Language): string {
+  if (areAtRest(seen)) return inWords(language, 'Both are at rest. Try another number at the start.', 'どちらも静止しました。個数を変えて試してください。');
+  const isOver = seen.step >= Math.max(...seen.traces.map((trace) => lastOf(trace) ?? Infinity));
+  if (isOver) return inWords(language, 'They have not come to rest. Try other thresholds.', '静止しないまま終わりました。しきい値を変えて試してください。');
+  return inWords(language, 'Go from stop to stop and watch both lines come together.', '見どころを順に見て、二つの線が近づくのを確かめてください。');
+}
+
+/** A value at which the papers' rule brings cells, with room or without. */
+const LOWER = 0.97;
+
+function hintAtHole(papers: Trace, step: number, language: Language): string {
+  if (step < 10) return inWords(language, 'Go on to the end.', '最後まで進めてみてください。');
+  if (Number(papers.value('room')) > LOWER) return inWords(language, `Try a value of ${LOWER} for the papers’ rule.`, `論文の値を${LOWER}に下げるとどうなるでしょう。`);
+  if (papers.value('pop') === 'opposite') return inWords(language, 'By the papers’ rule they come with room or without.', '論文の規則では、空きがあってもなくても増えます。');
+  return changesUpTo(papers, step).came > 0 ? '' : inWords(language, 'By the papers’ rule no place has room.', '論文の規則で調べる場所に、空きはありません。');
 }
 
 function toldHole({ traces, step }: Seen, language: Language): string {
@@ -79,10 +94,10 @@ function toldHole({ traces, step }: Seen, language: Language): string {
   const [least, most] = (leastRange(papers, step) ?? []).map((w) => number(w, 3));
   const room = number(Number(papers.value('room')), 2);
   const counts = traces.map((trace) => numberAt(trace, step));
+  const hint = hintAtHole(papers, step, language);
   if (language === 'ja') {
-    return `論文の規則：${counts[0] ?? 0}個。最も近い隣までのwは${least ?? ''}から${most ?? ''}で、${room}以上のセルのそばにだけ増えます。本プログラムの規則：${counts[1] ?? 0}個。空いた場所を探します。${step < 10 ? '最後まで進めてみてください。' : '論文の値を0.97に下げるとどうなるでしょう。'}`;
+    return `論文の規則：${counts[0] ?? 0}個。最も近い隣までのwは${least ?? ''}から${most ?? ''}で、${room}以上のセルのそばにだけ増えます。本プログラムの規則：${counts[1] ?? 0}個。空いた場所を探します。${hint}`;
   }
-  const hint = step < 10 ? 'Go on to the end.' : 'Try a value of 0.97 for the papers’ rule.';
   return `The papers’ rule: ${counts[0] ?? 0} cells, each with its nearest neighbour at w = ${least ?? ''} to ${most ?? ''}; only from ${room} on a cell comes beside it. Our rule: ${counts[1] ?? 0} cells; it looks for the empty place itself. ${hint}`;
 }
 
@@ -111,14 +126,15 @@ function toldNever({ traces: [trace], step }: Seen, language: Language): string 
   const [least, most] = (leastRange(trace, step) ?? []).map((w) => number(w, 3));
   const look = looksUpTo(trace, step).at(-1);
   const isCrossed = Number(trace.value('crowd')) > Number(trace.value('room'));
-  const end = isAtRest(trace, step);
+  const rests = isAtRest(trace, step);
+  const ends = step >= (lastOf(trace) ?? Infinity);
   if (language === 'ja') {
     const last = look ? `ステップ${look.step}の調査で${look.came.length}個増え、${look.went.length}個去りました。` : '';
-    const hint = isCrossed ? 'しきい値が逆転しています。調査のたびに何が起きるか見てください。' : end ? '静止しました。しきい値を逆転させてみてください。' : '最後まで進めてみてください。';
+    const hint = isCrossed ? 'しきい値が逆転しています。調査のたびに何が起きるか見てください。' : rests ? '静止しました。しきい値を逆転させてみてください。' : ends ? '静止しないまま終わりました。' : '最後まで進めてみてください。';
     return `${numberAt(trace, step)}個。最も近い隣までのwが${crowd ?? ''}未満なら去り、${room ?? ''}以上ならそばにもう一つ増えます。${least && most ? `いまは${least}から${most}です。` : 'いまはどれにも隣がありません。'}${last}${hint}`;
   }
   const last = look ? `Step ${look.step}: ${look.came.length} came, ${look.went.length} went.` : '';
-  const hint = isCrossed ? 'The thresholds cross: watch each look.' : end ? 'It is at rest. Let the thresholds cross.' : 'Go on to the end.';
+  const hint = isCrossed ? 'The thresholds cross: watch each look.' : rests ? 'It is at rest. Let the thresholds cross.' : ends ? 'It has not come to rest.' : 'Go on to the end.';
   return sentences(language, `${numberAt(trace, step)} cells. A cell goes if its nearest neighbour is below w = ${crowd ?? ''}, and another comes beside it from ${room ?? ''} on; ${least && most ? `now it is ${least} to ${most}` : 'now none has a neighbour'}.`, last, hint);
 }
 
@@ -172,8 +188,8 @@ function toldCount(seen: Seen, language: Language): string {
   const [left, right] = [numberAt(one, seen.step), numberAt(other, seen.step)];
   const [share, size] = [number(shareOf(one), 1), number(Number(one.value('cs')), 0)];
   const rest = areAtRest(seen);
-  if (language === 'ja') return `面積は同じ、セルの大きさも同じ${size}です。左は${left}個、右は${right}個。面積を大きさの二乗で割ると、どちらも${share}です。${rest ? '大きさを変えてみてください。' : 'まだ静止していません。'}`;
-  return `The same area, the same cell size of ${size}. Left ${left} cells, right ${right}; area over size squared is ${share} for both. ${rest ? 'Try another size.' : 'They are not yet at rest.'}`;
+  if (language === 'ja') return `面積は同じ、セルの大きさも同じ${size}です。輪郭には${left}個、正方形には${right}個入ります。面積を大きさの二乗で割ると、どちらも${share}です。${rest ? '大きさを変えてみてください。' : 'まだ静止していません。'}`;
+  return `The same area, the same cell size of ${size}. The outline holds ${left} cells, the square ${right}; area over size squared is ${share} for both. ${rest ? 'Try another size.' : 'They are not yet at rest.'}`;
 }
 
 const count: Ask = {
@@ -182,7 +198,7 @@ const count: Ask = {
   ...sentence<[size: string, left: number, right: number, share: string]>(
     (seen) => {
       const [one, other] = seen.traces;
-      if (!one || !other || !areAtRest(seen)) return undefined;
+      if (!one || !other || !areAtRest(seen) || one.value('poly') !== U_SHAPE) return undefined;
       const [left, right] = [numberAt(one, seen.step), numberAt(other, seen.step)];
       return left <= right ? undefined : [number(Number(one.value('cs')), 0), left, right, number(shareOf(one), 1)];
     },
@@ -190,8 +206,8 @@ const count: Ask = {
     (language, size, left, right, share) =>
       inWords(
         language,
-        `At size ${size} the left holds ${left}, the right ${right}; the formula says ${share} for both. Arms take whole rows of cells: as soon as one more row fits, the number jumps.`,
-        `大きさ${size}では左が${left}個、右が${right}個になりました。計算では、どちらも${share}です。細い腕に入るのは列まるごとです。もう一列入る大きさになると、個数は一度に増えます。`,
+        `At size ${size} the U holds ${left}, the square ${right}; the formula says ${share} for both. Arms take whole rows of cells: as soon as one more row fits, the number jumps.`,
+        `大きさ${size}ではU字形が${left}個、正方形が${right}個になりました。計算では、どちらも${share}です。細い腕に入るのは列まるごとです。もう一列入る大きさになると、個数は一度に増えます。`,
       ),
   ),
 };
@@ -200,7 +216,7 @@ function toldRight({ traces: [trace], step }: Seen, language: Language): string 
   if (!trace) return '';
   const { came, went } = changesUpTo(trace, step);
   const rest = isAtRest(trace, step);
-  const hint = !rest ? (language === 'ja' ? '静止するまで進めてください。' : 'Go on until it rests.') : came + went === 0 ? '' : language === 'ja' ? (came > went ? '少なすぎたようです。' : '多すぎたようです。') : came > went ? 'It was too few.' : 'It was too many.';
+  const hint = !rest ? (language === 'ja' ? '静止するまで進めてください。' : 'Go on until it rests.') : came + went === 0 ? '' : language === 'ja' ? (came > went ? '少なすぎたようです。' : '多すぎたようです。') : came > went ? 'That was too few.' : 'That was too many.';
   return sentences(language, language === 'ja' ? `${counted(trace, step, language)}。` : `${counted(trace, step, language)}.`, hint);
 }
 
@@ -229,7 +245,7 @@ const base = { fits: isSmall, at: [], steps: 'step' } as const;
 export const HOW_MANY: readonly Figure[] = [
   {
     ...base, name: 'crowded', recipe: `${IN_SQUARE}&seed=7&count=12&crowd=0.84&room=0.68`, packings: [{}, { count: '60' }], last: 100, opens: 29,
-    plates: [cells(0, 'Too few at the start', '少なすぎる開始', true), cells(1, 'Too many at the start', '多すぎる開始', true)],
+    plates: [cells(0, 'Too few at the start', '初めが少なすぎる', true), cells(1, 'Too many at the start', '初めが多すぎる', true)],
     stops: STOPS, handles: [AT_START, CROWDED, ROOM], more: [], asks: [], told: toldCrowded,
   },
   {
@@ -249,7 +265,7 @@ export const HOW_MANY: readonly Figure[] = [
       { draw: 'held', packing: 1, bars: barsOf(1), title: { en: 'A square of the same area', ja: '同じ面積の正方形' }, note: note(1) },
     ],
     stops: [START, AT_REST, OVER],
-    handles: [CELL_SIZE, { kind: 'choice', key: 'poly', name: { en: 'Left outline', ja: '左の輪郭' }, choices: [{ word: U_SHAPE, name: { en: 'U', ja: 'U字' } }, { word: L_SHAPE, name: { en: 'L', ja: 'L字' } }, { word: STAR, name: { en: 'star', ja: '星' } }] }],
+    handles: [CELL_SIZE, { kind: 'choice', key: 'poly', name: { en: 'Outline', ja: '輪郭' }, choices: [{ word: U_SHAPE, name: { en: 'U', ja: 'U字' } }, { word: L_SHAPE, name: { en: 'L', ja: 'L字' } }, { word: STAR, name: { en: 'star', ja: '星' } }] }],
     more: [], asks: [count], told: toldCount,
   },
   {
