@@ -6,6 +6,7 @@ export { Reading } from '../../www/learn/draw/reading';
 export { stillOf } from '../../www/learn/draw/still';
 export { between, parting, rest, touch, trialOf, turn } from '../../www/learn/figures/rules';
 export { inside, regions, simplified } from '../../www/learn/draw/contours';
+export { levels } from '../../www/learn/draw/levels';
 export { Survey } from '../../www/learn/draw/landscape';
 export { acrossOf, distance, innerEdges, lengthOf, nearestEdge, sumOf, triangleAt } from '../../www/learn/figures/joined';
 export { edgesOf, neighbourAt, reachesEdge, restsAt } from '../../www/learn/figures/neighbour';

@@ -130,6 +130,13 @@ test('what a figure tells at the end of a run is true: still far apart, still re
   assert.match(told('crowded', { crowd: '1' }), /They have not come to rest\./);
 });
 
+test('of many levels the first, the lowest and the last ones have room', () => {
+  const bars = [-5.1, -5.4, -5, -5.2, -5.3, -5.15, -5.05, -5.25].map((value, k) => ({ name: String(k + 1), value, isMarked: value === -5.4 }));
+  const picture = code.levels({ language: 'en' }, { bars: () => bars, digits: 3 });
+  assert.deepEqual([...picture.matchAll(/>(\d+)<\/text>/g)].map(([, name]) => name), ['1', '2', '6', '7', '8']);
+  assert.match(picture, /marked">−5\.400</);
+});
+
 test('no question is answered by the state that a figure opens with', () => {
   for (const figure of code.FIGURES) {
     const traces = figure.packings.map((/** @type {any} */ own) => {

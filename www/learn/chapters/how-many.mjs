@@ -88,8 +88,8 @@ export const howMany = {
         { value: 'c', text: { en: 'Cells come and go at every look', ja: '調査のたびに増えたり減ったりする' }, right: true },
       ],
       caption: {
-        en: 'A run whose thresholds leave room between them: it comes to rest. Each dot is a cell at its smallest w. Move the thresholds over each other.',
-        ja: '二つのしきい値の間に余裕がある計算。静止します。点は各セルのwの最小値です。しきい値を動かして、逆転させてください。',
+        en: 'A run whose thresholds leave room between them: it comes to rest. Each dot is a cell at its smallest $w$. Move the thresholds over each other.',
+        ja: '二つのしきい値の間に余裕がある計算。静止します。点は各セルの$w$の最小値です。しきい値を動かして、逆転させてください。',
       },
     },
     {

@@ -20,8 +20,8 @@ export const packingDifferences = [
       speech: { en: 'Root 2 r zero equals root 2 minus 1, times r zero, plus r zero.', ja: 'ルート2アール・ゼロは、かっこルート2引く1アール・ゼロ足すアール・ゼロ。' },
     },
     note: {
-      en: 'The equation stands as it is; ours adds what its radius means. The text of 2003 adds the corners “to the original potential field Ψ”, where it means the central one. The paper gives a corner bubble the radius $cr r0$; we read from it that a corner and a neighbour’s centre are at rest at $root2 r0$, their distance when the edges touch. A corner has the pair’s k0 / l0, so its potential is 1/√2 of the one in the centre. For two sizes ours takes the mean of both views.',
-      ja: '式はこのままで、半径の意味だけを補います。2003年の本文は四隅を「もとのポテンシャル場Ψに」足すと書いていますが、もとの場は中央のΨのことです。論文は四隅のバブルの半径を$cr r0$とします。これを、隅と隣の中心とがつり合う距離が$root2 r0$、つまり辺が触れ合うときの距離になる、と読みました。隅の強さは対のk0 / l0なので、そのポテンシャルは中央の1/√2倍です。大きさが違う対では、両方から見た平均をとります。',
+      en: 'The equation stands as it is; ours adds what its radius means. The text of 2003 adds the corners “to the original potential field Ψ”, where it means the central one. The paper gives a corner bubble the radius $cr r0$; we read from it that a corner and a neighbour’s centre are at rest at $root2 r0$, their distance when the edges touch. A corner has the pair’s $k0 / l0$, so its potential is 1/√2 of the one in the centre. For two sizes ours takes the mean of both views.',
+      ja: '式はこのままで、半径の意味だけを補います。2003年の本文は四隅を「もとのポテンシャル場Ψに」足すと書いていますが、もとの場は中央のΨのことです。論文は四隅のバブルの半径を$cr r0$とします。これを、隅と隣の中心とがつり合う距離が$root2 r0$、つまり辺が触れ合うときの距離になる、と読みました。隅の強さは対の$k0 / l0$なので、そのポテンシャルは中央の1/√2倍です。大きさが違う対では、両方から見た平均をとります。',
     },
     task: {
       question: { en: 'A square with half side $r0$ touches another along an edge. How far is its centre from the nearest corner of the other?', ja: '一辺の半分が$r0$の正方形が、もう一つと辺で触れ合っています。その中心から、相手の最も近い隅までの距離は。' },
@@ -97,8 +97,8 @@ export const packingDifferences = [
       speech: { en: 'A cell comes at a place p if the smallest w p j is at least b; i goes if the smallest w i j is less than a.', ja: '場所ピーでのダブリュー・ピー・ジェーの最小値がビー以上なら、そこに増やす。アイの最小値がエーより小さければ、アイを減らす。' },
     },
     note: {
-      en: 'A cell beside a gap still touches its other neighbours, which keep its smallest w near 1: the printed rule hardly ever adds one. Ours looks at the empty places round a cell, four for squares and six for round cells. The first formula is our writing of the sentence in the paper, which leaves both values to the user.',
-      ja: '空きの隣のセルも、ほかの側では隣と触れ合っているので、wの最小値は1の近くにとどまり、印刷された規則ではほとんど増えません。本プログラムはセルのまわりの空いた場所（正方形は四つ、円は六つ）を調べます。左の式は、論文の文章を式にしたものです。二つの値は利用者が決めます。',
+      en: 'A cell beside a gap still touches its other neighbours, which keep its smallest $w$ near 1: the printed rule hardly ever adds one. Ours looks at the empty places round a cell, four for squares and six for round cells. The first formula is our writing of the sentence in the paper, which leaves both values to the user.',
+      ja: '空きの隣のセルも、ほかの側では隣と触れ合っているので、$w$の最小値は1の近くにとどまり、印刷された規則ではほとんど増えません。本プログラムはセルのまわりの空いた場所（正方形は四つ、円は六つ）を調べます。左の式は、論文の文章を式にしたものです。二つの値は利用者が決めます。',
     },
     see: { figure: 'hole', words: { en: 'A hole under both rules', ja: '穴に対する二つの規則' } },
   },
