@@ -55,7 +55,7 @@ function forceName(view: View, packing: number): string {
 function distance(left: number, right: number, w: number): string {
   const y = MIDDLE + UNIT / 2 + 12;
   const ends = [left, right].map((x) => line([x, y - 4], [x, y + 4], 'measure')).join('');
-  return `${line([left, y], [right, y], 'measure')}${ends}${text((left + Math.min(right, WIDTH - 20)) / 2, y + 15, `${symbol('w', 'w')} = ${number(w, 3)}`, 'measured')}`;
+  return `${line([left, y], [right, y], 'measure')}${ends}${text((Math.max(left, 20) + Math.min(right, WIDTH - 20)) / 2, y + 15, `${symbol('w', 'w')} = ${number(w, 3)}`, 'measured')}`;
 }
 
 /** A sign that the right bubble has left the plate, beside its grip at the border. */

@@ -31,9 +31,10 @@ export function expected({ answers }: Ask, value: string, language: Language): s
 const LENGTH: Words = { en: 'stable distances', ja: '安定距離' };
 const NONE: Words = { en: '', ja: '' };
 
+/** Two bubbles cannot be given one place. */
 export const DISTANCE: NumberHandle = {
   kind: 'number', key: 'w', symbol: 'w', name: { en: 'Distance', ja: '距離' }, unit: LENGTH,
-  from: 0, to: 2.2, stride: 0.01, fine: 0.001, coarse: 0.1, digits: 3, plates: [0, 1],
+  from: 0.01, to: 2.2, stride: 0.01, fine: 0.001, coarse: 0.1, digits: 3, plates: [0, 1],
 };
 
 export const MARK: NumberHandle = {
