@@ -64,17 +64,20 @@ function singular({ directions }: Trace, { at: [x = 0, y = 0, radius = 0], step,
   return all
     .map((one) => {
       const [px, py] = onto(one.place);
-      const name = isTold && inside.includes(one) ? text(...beside([px, py], inside.map(({ place }) => onto(place))), number(one.quarters, 0), 'quarters halo') : '';
+      const name = isTold && inside.includes(one) ? text(...beside([px, py], inside.map(({ place }) => onto(place)), x * SIDE), number(one.quarters, 0), 'quarters halo') : '';
       return `<path class="singular" d="M${at(px)} ${at(py - 6)}l6 6l-6 6l-6 -6z"/>${name}`;
     })
     .join('');
 }
 
-/** The place of a point's name: on the side away from the mean of all points, or left of a single one, as the radius has its grip on the right. */
-function beside([x, y]: readonly [number, number], all: readonly (readonly [number, number])[]): [number, number] {
+/**
+ * The place of a point's name: on the side away from the mean of all points, or beside a single one, away from the grip of the
+ * walk's centre. Above a centre it stands on the left, as the radius has its grip on the right.
+ */
+function beside([x, y]: readonly [number, number], all: readonly (readonly [number, number])[], centre: number): [number, number] {
   const middle = (axis: 0 | 1): number => all.reduce((sum, place) => sum + place[axis], 0) / all.length;
   const [dx, dy] = [x - middle(0), y - middle(1)];
   const length = Math.hypot(dx, dy);
-  const [u, v] = length < 1 ? [-1, 0] : [dx / length, dy / length];
+  const [u, v] = length < 1 ? [x > centre + 4 ? 1 : -1, 0] : [dx / length, dy / length];
   return [x + 17 * u, y + 17 * v + 5];
 }
