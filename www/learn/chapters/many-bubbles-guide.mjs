@@ -53,8 +53,8 @@ export const manyBubblesGuide = {
       ],
     },
     {
-      question: { en: 'Other first places, same outline: how do they end?', ja: '輪郭が同じで初期位置が違うと、どう終わるか' },
-      right: { en: 'c. Other in both: picture and energy.', ja: 'c。絵もエネルギーも違う。' },
+      question: { en: 'Different first places, one outline: how do they end?', ja: '輪郭が同じで初期位置が違うと、どう終わるか' },
+      right: { en: 'c. They differ in both, picture and energy.', ja: 'c。絵もエネルギーも違う。' },
       thoughts: [
         [{ en: 'a, the same picture:', ja: 'a（同じ絵）：' }, { en: 'thinks that there is one best packing, and that it must be found.', ja: '最良の充填が一つあり、必ずそこに着くと考えている。' }],
         [{ en: 'b, one energy:', ja: 'b（エネルギーは同じ）：' }, { en: 'thinks that rest means the same for all: as low as possible.', ja: '静止すればどれも同じ最低の高さだと考えている。' }],

@@ -73,7 +73,7 @@ export const plans = [
     steps: [
       ['0–8', { en: 'Free play: the pavement’s layers, then the pair.', ja: '自由に遊ぶ。石畳の図、次にバブルの対。' }, 'two-bubbles'],
       ['8–18', { en: 'What will it do? Predict, argue, run.', ja: 'どうなるか。予想、討論、実験。' }, 'two-bubbles'],
-      ['18–29', { en: 'Other first places: will both end alike? Predict, argue, run.', ja: '初期位置だけを変える。同じところに落ち着くか。予想、討論、実験。' }, 'many-bubbles'],
+      ['18–29', { en: 'Different first places: will both end alike? Predict, argue, run.', ja: '初期位置だけを変える。同じところに落ち着くか。予想、討論、実験。' }, 'many-bubbles'],
       ['29–41', { en: 'Three ways to place points: mark the two middles that will move, argue, run.', ja: '点の三通りの置き方。中央値に印を付け、討論、実験。' }, 'mesh'],
       ['41–52', { en: 'From which weight on are there four wells? Predict, argue, drop the square.', ja: 'どれだけの重みから井戸は四つか。予想、討論、正方形を落とす。' }, 'squares'],
       ['52–60', { en: 'One cell is missing: does the rule see the hole? Show it.', ja: 'セルが一つ足りない。規則は穴に気づくか。教師が見せる。' }, 'how-many'],
