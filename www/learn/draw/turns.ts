@@ -1,7 +1,7 @@
 /** How far a direction has turned over a walk, in quarter turns. */
-import { inQuarters, STEPS } from '../figures/directions';
+import { STEPS } from '../figures/directions';
 import type { Plate, View } from '../figures/figure';
-import { number } from '../figures/words';
+import { inQuarters, number } from '../figures/words';
 import { SIDE } from './crowd';
 import { circle, line, path, svg, symbol, text, WIDTH } from './plate';
 

@@ -1,6 +1,5 @@
 /** Directions in the fields of a recipe, as the engine gives them. Places are in shares of the picture's side, y down. */
 import type { Place, Vector } from './place';
-import { number } from './words';
 
 /** The direction of squares at a place: along one of their sides, and how certain it is, from 0 to 1. */
 export interface Direction {
@@ -78,6 +77,3 @@ export function asSquare(degrees: number): number {
   const rest = degrees - 90 * Math.round(degrees / 90);
   return rest <= -45 + 1e-9 ? rest + 90 : rest;
 }
-
-/** A number of quarter turns; hundredths only where it is not whole. */
-export const inQuarters = (value: number): string => number(value, Math.abs(value - Math.round(value)) < 0.005 ? 0 : 2);

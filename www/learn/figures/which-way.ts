@@ -2,10 +2,10 @@
  * The figures of chapter 5, "Which way?" (Miyata, Itoh and Shimada 2000, section 4.1, equation (1), and 2001, section 4). They
  * need the fields of a recipe alone. Places are in shares of the picture's side.
  */
-import { asSquare, degreesOf, inQuarters, STEPS } from './directions';
+import { asSquare, degreesOf, STEPS } from './directions';
 import type { Ask, Figure, Hand, Language, Plate, Seen, Stop, Trace } from './figure';
 import { ANGLE, angleIn, CENTRE, HEIGHT, IN_ROAD, OUTLINE, PIECES, POWER, ROUND, roadOf, STROKES, strokesAt, WALK_RADIUS } from './which-way-handles';
-import { inWords, joined, number, sentence } from './words';
+import { inQuarters, inWords, joined, number, sentence } from './words';
 
 const whole = (value: number): string => number(value, 0);
 

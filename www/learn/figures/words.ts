@@ -8,6 +8,9 @@ export function number(value: number, digits: number): string {
   return (Number(text) === 0 ? text.replace('-', '') : text).replace('-', '−');
 }
 
+/** A number of quarter turns; hundredths only where it is not whole. */
+export const inQuarters = (value: number): string => number(value, Math.abs(value - Math.round(value)) < 0.005 ? 0 : 2);
+
 /** The sentence in a language. */
 export const inWords = (language: Language, en: string, ja: string): string => (language === 'ja' ? ja : en);
 
