@@ -255,6 +255,15 @@ impl Footprint {
         0.5 * twice.sum::<f64>()
     }
 
+    /// The distance between the two nearest parallel lines that hold it between them (metres).
+    pub fn least_width(&self) -> f64 {
+        let widths = self.half_planes().map(|half| {
+            let distances = self.places().map(|p| half.distance(p));
+            distances.fold(0.0, f64::max)
+        });
+        widths.fold(f64::MAX, f64::min)
+    }
+
     /// Its centre of gravity.
     pub fn centre(&self) -> DVec2 {
         let origin = self.corners[0].at;

@@ -5,12 +5,15 @@
 
 use super::footprint::{Footprint, HalfPlane};
 use crate::order;
+use glam::DVec2;
 use std::borrow::Borrow;
 
 /// Overlaps up to this area do not count (square metres).
 pub const TOUCH: f64 = 1e-8;
 /// Pieces below this share of their cell are dropped.
 pub const LEAST_SHARE: f64 = 0.06;
+/// How far beyond a side of an obstacle another one is looked for (metres).
+const BEYOND: f64 = 1e-3;
 /// The usual depth to which [`clip_multi`] splits the halves that its cuts remove.
 pub const MOST_DEPTH: u32 = 3;
 
@@ -26,8 +29,51 @@ pub fn clip(
     inset: f64,
     least: f64,
 ) -> Option<Footprint> {
-    let least = least * cell.area();
     let near = by_overlap(cell, obstacles);
+    clip_at(cell, &near, inset, (least, CutSides::All))
+}
+
+/// As [`clip`], but cuts go along sides of obstacles that border free space, if such a side leaves enough. So no brick
+/// beside an arch is cut along a joint between two stones of that arch, which would spoil its bed.
+pub fn clip_at_borders(
+    cell: &Footprint,
+    obstacles: &[impl Borrow<Footprint>],
+    inset: f64,
+    least: f64,
+) -> Option<Footprint> {
+    let near = by_overlap(cell, obstacles);
+    clip_at(cell, &near, inset, (least, CutSides::Borders(&near)))
+}
+
+/// The sides of obstacles that may cut.
+#[derive(Clone, Copy)]
+enum CutSides<'a> {
+    All,
+    /// Those beyond which none of these obstacles lies.
+    Borders(&'a [&'a Footprint]),
+}
+
+impl CutSides<'_> {
+    /// Whether a side of an obstacle with this half-plane may cut a part.
+    fn has(&self, part: &Footprint, ends: [DVec2; 2], half: &HalfPlane) -> bool {
+        let Self::Borders(obstacles) = self else {
+            return true;
+        };
+        let middle = middle_within(part, ends);
+        middle.is_some_and(|middle| {
+            let beyond = middle - half.normal * BEYOND;
+            !obstacles.iter().any(|obstacle| obstacle.contains(beyond))
+        })
+    }
+}
+
+fn clip_at(
+    cell: &Footprint,
+    near: &[&Footprint],
+    inset: f64,
+    (least, sides): (f64, CutSides),
+) -> Option<Footprint> {
+    let least = least * cell.area();
     if near.is_empty() {
         return Some(cell.clone());
     }
@@ -36,7 +82,7 @@ pub fn clip(
         let order = [near[first]]
             .into_iter()
             .chain(rest.map(|(_, &obstacle)| obstacle));
-        cut_by(cell, order, inset, least)
+        cut_by(cell, order, inset, (least, sides))
     });
     let sized = parts.map(|part| (part.area(), part));
     let best = sized.reduce(|best, next| if next.0 > best.0 { next } else { best });
@@ -48,12 +94,12 @@ fn cut_by<'a>(
     cell: &Footprint,
     obstacles: impl Iterator<Item = &'a Footprint>,
     inset: f64,
-    least: f64,
+    (least, sides): (f64, CutSides),
 ) -> Option<Footprint> {
     let mut part = cell.clone();
     for obstacle in obstacles {
         if part.shared_area(obstacle) > TOUCH {
-            let half = best_side(&part, obstacle);
+            let half = best_side(&part, obstacle, (least, sides));
             part = part.clip(half, inset).filter(|part| part.area() > least)?;
         }
     }
@@ -91,7 +137,7 @@ fn split(
         if part.shared_area(obstacle) <= TOUCH {
             continue;
         }
-        let half = best_side(&part, obstacle);
+        let half = best_side(&part, obstacle, (least, CutSides::All));
         let is_large = |part: &Footprint| part.area() > least;
         if depth > 0
             && let Some(rest) = part.clip(half.opposite(), inset).filter(is_large)
@@ -152,19 +198,46 @@ fn by_overlap<'a>(cell: &Footprint, obstacles: &'a [impl Borrow<Footprint>]) -> 
     found.into_iter().map(|(_, obstacle)| obstacle).collect()
 }
 
-/// The half-plane beyond the side of an obstacle that leaves most of a part; the first of equal sides.
-fn best_side(part: &Footprint, obstacle: &Footprint) -> HalfPlane {
-    let halves = obstacle.half_planes().map(HalfPlane::opposite);
-    let sized = halves.map(|half| (part.area_in(half), half));
-    let best = sized.reduce(|best, next| if next.0 > best.0 { next } else { best });
-    best.expect("a polygon has sides").1
+/// The middle of the part of a line that lies inside or on the border of a polygon; none if that is shorter than 1 mm.
+fn middle_within(polygon: &Footprint, [a, b]: [DVec2; 2]) -> Option<DVec2> {
+    let mut span = [0.0f64, 1.0];
+    for half in polygon.half_planes() {
+        let [from, to] = [a, b].map(|p| half.distance(p));
+        if from.max(to) < 0.0 {
+            return None;
+        }
+        let at = from / (from - to);
+        if from < 0.0 {
+            span[0] = span[0].max(at);
+        } else if to < 0.0 {
+            span[1] = span[1].min(at);
+        }
+    }
+    let is_long = (span[1] - span[0]) * a.distance(b) > BEYOND;
+    is_long.then(|| a.lerp(b, 0.5 * (span[0] + span[1])))
+}
+
+/// The half-plane beyond the side of an obstacle that leaves most of a part; the first of equal sides. If the sides that
+/// may cut leave no more than `least` (square metres), any side may.
+fn best_side(part: &Footprint, obstacle: &Footprint, (least, sides): (f64, CutSides)) -> HalfPlane {
+    let best = |sides: CutSides| {
+        let halves = (0..obstacle.corners().len()).filter_map(|k| {
+            let ends = obstacle.side(k);
+            let half = HalfPlane::left_of(ends[0], ends[1]);
+            sides.has(part, ends, &half).then(|| half.opposite())
+        });
+        let sized = halves.map(|half| (part.area_in(half), half));
+        sized.reduce(|best, next| if next.0 > best.0 { next } else { best })
+    };
+    let found = best(sides).filter(|&(area, _)| area > least);
+    let found = found.or_else(|| best(CutSides::All));
+    found.expect("a polygon has sides").1
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::random::{Purpose, Random};
-    use glam::DVec2;
 
     fn rectangle(low: (f64, f64), high: (f64, f64)) -> Footprint {
         Footprint::rectangle(low.into(), high.into()).unwrap()
@@ -238,5 +311,26 @@ mod tests {
             ),
             None
         );
+    }
+
+    #[test]
+    fn a_brick_is_not_cut_along_a_joint_between_two_obstacles() {
+        let cell = rectangle((0.0, 0.0), (1.0, 0.3));
+        let arch = [
+            rectangle((0.3, -0.1), (1.2, 0.15)),
+            rectangle((0.35, 0.15), (1.3, 0.4)),
+        ];
+        // The joint leaves most of the brick, but only the upper half of its bed.
+        let any = clip(&cell, &arch, 0.0, LEAST_SHARE).unwrap();
+        assert!((any.area() - 0.35 * 0.15).abs() < 1e-9);
+        let border = clip_at_borders(&cell, &arch, 0.0, LEAST_SHARE).unwrap();
+        assert!((border.area() - 0.3 * 0.3).abs() < 1e-9);
+        // If no other side leaves enough, the joint does.
+        let arch = [
+            rectangle((-0.1, -0.1), (1.2, 0.15)),
+            rectangle((0.35, 0.15), (1.3, 0.4)),
+        ];
+        let last = clip_at_borders(&cell, &arch, 0.0, LEAST_SHARE).unwrap();
+        assert!((last.area() - 0.35 * 0.15).abs() < 1e-9);
     }
 }

@@ -7,13 +7,12 @@ use super::work::SiteWork;
 use crate::building::{Bend, FaceId, Stance};
 use crate::masonry::block::Polyhedron;
 use crate::masonry::footprint::Footprint;
-use crate::masonry::free_space::{LEAST_SHARE, MOST_DEPTH, TOUCH, clip, clip_multi, remainder};
+use crate::masonry::free_space::{LEAST_SHARE, TOUCH, remainder};
 use crate::masonry::grid_place::GridPlace;
 use crate::masonry::occupancy::Coverage;
 use crate::masonry::plan::{FaceGrid, is_wall};
 use crate::masonry::tree::GeneratorNode;
 use glam::DVec2;
-use smallvec::SmallVec;
 
 /// A brick is a sliver if its free area is less than this share of half a brick.
 const SLIVER: f64 = 0.35;
@@ -24,13 +23,20 @@ const WHOLE: std::ops::RangeInclusive<f64> = 0.97..=1.15;
 
 /// A brick of a face's grid.
 #[derive(Clone, Copy, Debug)]
-struct GridBrick {
+pub(super) struct GridBrick {
     /// The space that it may fill.
-    place: GridPlace,
+    pub place: GridPlace,
     /// The area of its own place in the grid (square metres).
-    area: f64,
+    pub area: f64,
     /// Whether it takes two columns.
-    is_pair: bool,
+    pub is_pair: bool,
+}
+
+impl GridBrick {
+    /// The area of a brick of two columns (square metres).
+    pub fn pair_area(&self) -> f64 {
+        self.area * if self.is_pair { 1.0 } else { 2.0 }
+    }
 }
 
 /// Fills a face with bricks, row by row.
@@ -137,7 +143,11 @@ impl Site {
         bond: &BrickBond,
         at: (usize, usize),
     ) {
-        for brick in self.without_slivers(id, self.row_bricks(id, bond, at)) {
+        let mut bricks = self.without_slivers(id, self.row_bricks(id, bond, at));
+        if bond.are_paired() {
+            bricks = self.evened(id, bricks);
+        }
+        for brick in bricks {
             let sort = if brick.is_pair || !bond.are_paired() {
                 bond.sort
             } else {
@@ -221,27 +231,14 @@ impl Site {
             return;
         }
         let whole = place.footprint();
-        for part in self.free_parts(id, &whole) {
+        for part in self.laid_parts(id, &whole) {
             self.face_part(id, node, &part, (&whole, area, sort));
-        }
-    }
-
-    /// The free parts of a brick that are laid.
-    fn free_parts(&self, id: FaceId, place: &Footprint) -> SmallVec<[Footprint; 1]> {
-        let obstacles = self.faces[id.index()].obstacles(place);
-        let inset = 0.5 * self.plan.module.joint;
-        if self.is_oblique(id) {
-            clip_multi(place, &obstacles, inset, (LEAST_SHARE, MOST_DEPTH)).into()
-        } else {
-            clip(place, &obstacles, inset, LEAST_SHARE)
-                .into_iter()
-                .collect()
         }
     }
 
     /// Whether long sides of a face run across its grid. There the single cuts of a brick leave gaps, and it is cut
     /// into several parts.
-    fn is_oblique(&self, id: FaceId) -> bool {
+    pub(super) fn is_oblique(&self, id: FaceId) -> bool {
         !self.slopes[id.index()].is_empty()
     }
 

@@ -16,11 +16,15 @@ mod cement;
 mod chords;
 mod coping;
 mod corners;
+mod cuts;
 #[cfg(test)]
 mod drawn_tests;
 mod faces;
 #[cfg(test)]
 mod invariance_tests;
+#[cfg(test)]
+mod joint_tests;
+mod joints;
 mod measures;
 mod mitre;
 mod overhang;
