@@ -75,13 +75,12 @@ impl Site {
         k: usize,
     ) -> Option<(Range<usize>, BrickPlaces)> {
         let half = self.plan.module.half;
-        let of = |k: usize| bricks.get(k).and_then(|brick| self.fit(id, &[brick.place]));
-        let own = of(k).filter(|own| own.width < THIN * half)?;
-        let beside = [k.checked_sub(1), Some(k + 1)].map(|j| of(j?));
+        let own = self.fit(id, &[bricks[k].place]);
+        let own = own.filter(|own| own.width < THIN * half)?;
         let spans = [
             Some(k..k + 1),
-            beside[0].map(|_| k - 1..k + 1),
-            beside[1].map(|_| k..k + 2),
+            k.checked_sub(1).map(|before| before..k + 1),
+            (k + 1 < bricks.len()).then_some(k..k + 2),
         ];
         let mut best: Option<([i64; 3], Range<usize>, BrickPlaces)> = None;
         for span in spans.into_iter().flatten() {
