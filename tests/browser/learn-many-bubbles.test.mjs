@@ -150,7 +150,9 @@ test('stops are offered as far as a run was seen', sameEverywhere, async () => {
   const marks = () => page.$$eval(`${figure} .time-marks span`, (all) => all.length);
   assert.deepEqual([await offered(), await marks()], [['start', 'end'], 1]);
   await page.click(`${figure} [data-stop="end"]`);
-  await page.waitForSelector(`${figure} [data-stop="end"][aria-current]`);
+  // The run ends at rest: one mark with one name.
+  await page.waitForSelector(`${figure} [data-stop="rest"][aria-current]`);
+  assert.equal(await page.$$eval(`${figure} [data-stop][aria-current]`, (all) => all.length), 1);
   assert.deepEqual([await offered(), await marks()], [['start', 'one', 'rest', 'end'], 3]);
   await seek(page, figure, 20);
   assert.deepEqual(await offered(), ['start', 'one', 'rest', 'end']);

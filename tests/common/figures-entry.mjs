@@ -1,7 +1,7 @@
 // The parts of the figures that tests need, in one file for the bundler.
 export { FIGURES } from '../../www/learn/draw/chapters';
 export { countOf, crowdAt, nearestTo, packedOf } from '../../www/learn/figures/crowds';
-export { lastStepOf, stopsOf } from '../../www/learn/draw/picture';
+export { lastStepOf, markedAt, stopsOf } from '../../www/learn/draw/picture';
 export { Reading } from '../../www/learn/draw/reading';
 export { stillOf } from '../../www/learn/draw/still';
 export { between, parting, rest, touch, trialOf, turn } from '../../www/learn/figures/rules';

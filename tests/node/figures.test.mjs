@@ -149,3 +149,9 @@ test('no question is answered by the state that a figure opens with', () => {
     for (const language of ['en', 'ja']) assert.ok(figure.told(seen, language).length > 10);
   }
 });
+
+test('one stop is marked where two fall on the same step', () => {
+  const stops = [{ key: 'start', step: 0 }, { key: 'rest', step: 129 }];
+  const marked = [[0, 129], [7, 129], [129, 129], [129, 200], [200, 200]].map(([step, last]) => code.markedAt(stops, step, last));
+  assert.deepEqual(marked, ['start', undefined, 'rest', 'rest', 'end']);
+});

@@ -54,6 +54,14 @@ export function stopsOf(figure: Figure, traces: readonly Trace[]): { key: string
   return found.filter(({ step }, k) => found.findIndex((other) => other.step === step) === k).sort((a, b) => a.step - b.step);
 }
 
+/** The key of the stop at the last step, which is always on offer. */
+export const LAST = 'end';
+
+/** The one stop that is marked at a step: the one on offer that falls on it, or the last step. */
+export function markedAt(stops: readonly { readonly key: string; readonly step: number }[], step: number, last: number): string | undefined {
+  return stops.find((stop) => stop.step === step)?.key ?? (step === last ? LAST : undefined);
+}
+
 /** The last step of the longest run. */
 export function lastStepOf(figure: Figure, traces: readonly Trace[]): number {
   return figure.steps !== 'step' ? figure.last : Math.max(0, ...traces.map(({ steps }) => steps.length - 1));

@@ -1,4 +1,5 @@
 /** The timeline of a figure: again, back, play, on, a slider with marks at the stops, the stops by name, and the speed. */
+import { LAST, markedAt } from '../draw/picture';
 import { icon, stepWords, TOOL_WORDS } from '../draw/tools';
 import type { Figure, Language } from '../figures/figure';
 
@@ -17,9 +18,6 @@ interface Stopped {
   readonly key: string;
   readonly step: number;
 }
-
-/** The key of the stop at the last step. */
-const LAST = 'end';
 
 export class Timeline {
   private readonly of: Timed;
@@ -82,9 +80,8 @@ export class Timeline {
     range.setAttribute('aria-valuetext', said);
     range.style.setProperty('--share', String(step / (last || 1)));
     (this.place.querySelector('.time-said') as HTMLElement).textContent = said;
-    this.place.querySelectorAll<HTMLElement>('[data-stop]').forEach((button) => {
-      button.ariaCurrent = this.stepOf(stops, button.dataset.stop) === step ? 'step' : null;
-    });
+    const marked = markedAt(stops, step, last);
+    this.place.querySelectorAll<HTMLElement>('[data-stop]').forEach((button) => (button.ariaCurrent = button.dataset.stop === marked ? 'step' : null));
     if (isPlaying !== this.isPlaying) this.name(isPlaying);
   }
 
