@@ -1,7 +1,7 @@
 // The parts of the figures that tests need, in one file for the bundler.
 export { FIGURES } from '../../www/learn/draw/chapters';
 export { countOf, crowdAt, nearestTo, packedOf } from '../../www/learn/figures/crowds';
-export { lastStepOf, markedAt, stopsOf } from '../../www/learn/draw/picture';
+export { curveOf, lastStepOf, markedAt, stopsOf } from '../../www/learn/draw/picture';
 export { Reading } from '../../www/learn/draw/reading';
 export { stillOf } from '../../www/learn/draw/still';
 export { between, parting, rest, touch, trialOf, turn } from '../../www/learn/figures/rules';
@@ -12,3 +12,4 @@ export { acrossOf, distance, innerEdges, lengthOf, nearestEdge, sumOf, triangleA
 export { edgesOf, neighbourAt, reachesEdge, restsAt } from '../../www/learn/figures/neighbour';
 export { isCrowded, looksOf, marksAt, restless } from '../../www/learn/figures/population';
 export { asSquare, degreesOf, placesOn, unitAt } from '../../www/learn/figures/directions';
+export { force } from '../../www/learn/draw/force';

@@ -155,3 +155,19 @@ test('one stop is marked where two fall on the same step', () => {
   const marked = [[0, 129], [7, 129], [129, 129], [129, 200], [200, 200]].map(([step, last]) => code.markedAt(stops, step, last));
   assert.deepEqual(marked, ['start', undefined, 'rest', 'rest', 'end']);
 });
+
+test('the number of the strongest pull stands free of the line down from the bubble at all distances', () => {
+  const figure = code.FIGURES.find((/** @type {any} */ one) => one.name === 'pair');
+  const made = new code.Reading(module, figure, figure.recipe, {});
+  for (let w = 1; w < 1.6; w += 0.01) {
+    made.change('w', String(w));
+    while (!made.advance(1000));
+    const picture = code.force({ traces: [made], step: 0, curve: code.curveOf(module), language: 'en' }, 0);
+    const [, x, anchor] = /<text x="([\d.]+)"[^>]*text-anchor="(\w+)"[^>]*>\u22120\.145</.exec(picture) ?? [];
+    const stem = Number(/class="bar \w+" d="M([\d.]+)/.exec(picture)?.[1]);
+    // A letter is at most 7 units wide, the point of the pair 5.5.
+    const [left, right] = anchor === 'end' ? [Number(x) - 42, Number(x)] : [Number(x), Number(x) + 42];
+    assert.ok(stem + 5.5 < left || stem - 5.5 > right, `w = ${w.toFixed(2)}: ${stem} in ${left} to ${right}`);
+  }
+  made.free();
+});
