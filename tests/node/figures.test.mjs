@@ -171,3 +171,18 @@ test('the number of the strongest pull stands free of the line down from the bub
   }
   made.free();
 });
+
+test('the answer on halfway says why, with true means', () => {
+  const figure = code.FIGURES.find((/** @type {any} */ one) => one.name === 'halfway');
+  const said = (/** @type {number} */ lower, /** @type {number} */ upper, language = 'en') => {
+    const made = new code.Reading(module, figure, figure.recipe, {});
+    made.change('stroke-1', String(lower));
+    made.change('stroke-2', String(upper));
+    while (!made.advance(1000));
+    return figure.asks[0].seen({ traces: [made] }, language);
+  };
+  assert.match(said(10, 80), /^To a square 80° is −10°, and the mean of 10° and −10° is 0°\. So halfway squares stand at 0\.0°, with certainty 0\.\d\d\.$/);
+  assert.match(said(81, 10), /81° is −9°, and the mean of 10° and −9° is 0\.5°\. So halfway squares stand at 0\.[4-6]°/);
+  assert.match(said(10, 80, 'ja'), /10°と−10°の平均は0°です。/);
+  assert.equal(said(10, 30), undefined);
+});

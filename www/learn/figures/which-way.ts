@@ -219,23 +219,28 @@ const bothAngles = (trace: Trace): readonly [number, number] => [angleIn(trace.p
 const halfway: Ask = {
   key: 'halfway',
   answers: { a: { en: 'squares stand at 45°', ja: '45°' }, b: { en: 'squares stand at 0°, which is also 90°', ja: '0°（90°でも同じ）' }, c: { en: 'squares stand in any direction', ja: '決まらない' } },
-  ...sentence<[degrees: string, large: number, certainty: string]>(
+  ...sentence<[degrees: string, small: number, large: number, certainty: string]>(
     ({ traces: [trace] }) => {
       if (!trace) return undefined;
       const [one, other] = bothAngles(trace);
       const { degrees, certainty } = standsAt(trace, HALFWAY);
       const apart = Math.abs(one - other);
-      return apart < 60 || apart > 80 || Math.abs(degrees) > 3 ? undefined : [whole(degrees), Math.max(one, other), number(certainty, 2)];
+      return apart < 60 || apart > 80 || Math.abs(degrees) > 3 ? undefined : [number(degrees, 1), Math.min(one, other), Math.max(one, other), number(certainty, 2)];
     },
-    [['−0', 100, '0.00']],
-    (language, degrees, large, certainty) =>
-      inWords(
+    [['−0.0', 10, 88, '0.00']],
+    (language, degrees, small, large, certainty) => {
+      const [alike, mean] = [whole(large - 90), meanOf(small, large - 90)];
+      return inWords(
         language,
-        `Halfway squares stand at ${degrees}°: to a square ${large}° is ${whole(large - 90)}°. The certainty is ${certainty}.`,
-        `中間の向きは${degrees}°です。正方形にとって${large}°は${whole(large - 90)}°と同じです。確かさは${certainty}です。`,
-      ),
+        `To a square ${large}° is ${alike}°, and the mean of ${small}° and ${alike}° is ${mean}°. So halfway squares stand at ${degrees}°, with certainty ${certainty}.`,
+        `正方形にとって${large}°は${alike}°と同じで、${small}°と${alike}°の平均は${mean}°です。だから中間の正方形の向きは${degrees}°、確かさは${certainty}です。`,
+      );
+    },
   ),
 };
+
+/** The mean of two whole angles, with its half if it has one. */
+const meanOf = (one: number, other: number): string => number((one + other) / 2, (one + other) % 2 ? 1 : 0);
 
 function toldStrokes({ traces: [trace] }: Seen, language: Language): string {
   if (!trace) return '';
