@@ -186,3 +186,20 @@ test('the answer on halfway says why, with true means', () => {
   assert.match(said(10, 80, 'ja'), /10°と−10°の平均は0°です。/);
   assert.equal(said(10, 30), undefined);
 });
+
+test('whether a start has too few or too many cells is told by the end of its run, at every number', () => {
+  const notes = (/** @type {Record<string, string>} */ values, language = 'en') => {
+    const { figure, seen } = atEnd('crowded', values);
+    return figure.plates.map((/** @type {any} */ { note }) => note(seen, language));
+  };
+  assert.match(notes({})[0], /^12 at first, too few; now \d+$/);
+  assert.match(notes({})[1], /^60 at first, too many; now \d+$/);
+  for (const count of ['4', '20', '30', '33', '36', '50', '80']) {
+    const [, first, verdict, now] = /^(\d+) at first, ([a-z ]+); now (\d+)$/.exec(notes({ count })[0]) ?? [];
+    assert.equal(first, count);
+    assert.equal(verdict, Number(now) > Number(first) ? 'too few' : Number(now) < Number(first) ? 'too many' : 'just right');
+  }
+  // A run that never rests, and where cells come as well as go, has no right number.
+  assert.match(notes({ crowd: '1' })[0], /^12 at first; now \d+$/);
+  assert.match(notes({}, 'ja')[1], /^初め60個、多すぎる。いま\d+個$/);
+});

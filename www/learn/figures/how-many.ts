@@ -4,7 +4,7 @@
  * Directionality, 2003, section 5.1). All cells are round. A look at the population comes every ten steps, or as soon as all is
  * nearly still, up to step 100.
  */
-import { AT_REST, lastOf, ofAll, OVER } from './crowds';
+import { AT_REST, lastOf, ofAll, OVER, restOf } from './crowds';
 import type { Ask, Figure, Language, Plate, Seen, Stop, Trace } from './figure';
 import { areAtRest, changesUpTo, isAtRest, leastRange, looksOf, looksUpTo, numberAt, restless } from './population';
 import { start } from './rules';
@@ -63,6 +63,29 @@ const note = (packing: number): NonNullable<Plate['note']> => ({ traces, step },
 
 /** A plate of cells with a strip of its looks. */
 const cells = (packing: number, en: string, ja: string, isAhead = false): Plate => ({ draw: 'population', packing, title: { en, ja }, note: note(packing), isAhead });
+
+/**
+ * Whether a number at the start is too small or too large, by all of its run; '' if that tells neither, as it does not rest
+ * and cells both came and went.
+ */
+function verdict(trace: Trace, language: Language): string {
+  const { came, went } = changesUpTo(trace, lastOf(trace) ?? 0);
+  const [missing, rests] = [came - went, restOf(trace) !== undefined];
+  if (!rests && (came > 0) === (went > 0)) return '';
+  if (missing === 0) return inWords(language, ', just right', '、ちょうどよい');
+  return missing > 0 ? inWords(language, ', too few', '、少なすぎる') : inWords(language, ', too many', '、多すぎる');
+}
+
+/** How many cells a run began with, whether they were too few or too many, and how many there are. */
+const startNote = (packing: number): NonNullable<Plate['note']> => ({ traces, step }, language) => {
+  const trace = traces[packing];
+  if (!trace) return '';
+  const [first, now] = [numberAt(trace, 0), numberAt(trace, step)];
+  return inWords(language, `${first} at first${verdict(trace, language)}; now ${now}`, `初め${first}個${verdict(trace, language)}。いま${now}個`);
+};
+
+/** A plate of cells whose note tells how well its run began. */
+const started = (packing: number, en: string, ja: string): Plate => ({ ...cells(packing, en, ja, true), note: startNote(packing) });
 
 function toldCrowded(seen: Seen, language: Language): string {
   const { traces, step } = seen;
@@ -245,7 +268,7 @@ const base = { fits: isSmall, at: [], steps: 'step' } as const;
 export const HOW_MANY: readonly Figure[] = [
   {
     ...base, name: 'crowded', recipe: `${IN_SQUARE}&seed=7&count=12&crowd=0.84&room=0.68`, packings: [{}, { count: '60' }], last: 100, opens: 29,
-    plates: [cells(0, 'Too few at the start', '初めが少なすぎる', true), cells(1, 'Too many at the start', '初めが多すぎる', true)],
+    plates: [started(0, 'First run', '一つ目の計算'), started(1, 'Second run', '二つ目の計算')],
     stops: STOPS, handles: [AT_START, CROWDED, ROOM], more: [], asks: [], told: toldCrowded,
   },
   {
