@@ -254,8 +254,8 @@ test('halfway: strokes at 10° and 80° have squares at 0° between them', sameE
   await boxHas(page, figure, 'stroke-2', 80);
   await answered(page, 'halfway');
   // The angle before was answered, too.
-  await page.waitForFunction(() => /stand at 0°/.test(document.querySelector('[data-seen="halfway"]')?.textContent ?? ''));
-  assert.match(await answer(page, 'halfway'), /^You expected that squares stand at 45°\. Halfway squares stand at 0°: to a square 80° is −10°\. The certainty is 0\.77/);
+  await page.waitForFunction(() => /stand at 0\.0°/.test(document.querySelector('[data-seen="halfway"]')?.textContent ?? ''));
+  assert.match(await answer(page, 'halfway'), /^You expected that squares stand at 45°\. To a square 80° is −10°, and the mean of 10° and −10° is 0°\. So halfway squares stand at 0\.0°, with certainty 0\.77/);
   const state = await shown(page, figure);
   const fragment = await addressWith(page, 'fig=halfway', before);
   await drag(page, `${figure} .grip-stroke-1`, -20, 60);
