@@ -13,3 +13,5 @@ export { edgesOf, neighbourAt, reachesEdge, restsAt } from '../../www/learn/figu
 export { isCrowded, looksOf, marksAt, restless } from '../../www/learn/figures/population';
 export { asSquare, degreesOf, placesOn, unitAt } from '../../www/learn/figures/directions';
 export { force } from '../../www/learn/draw/force';
+export { hatched } from '../../www/learn/draw/hatching';
+export { mesh } from '../../www/learn/draw/mesh';

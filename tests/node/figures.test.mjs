@@ -203,3 +203,16 @@ test('whether a start has too few or too many cells is told by the end of its ru
   assert.match(notes({ crowd: '1' })[0], /^12 at first; now \d+$/);
   assert.match(notes({}, 'ja')[1], /^初め60個、多すぎる。いま\d+個$/);
 });
+
+test('thin triangles are told without colour: lines cross them, inside their edges', () => {
+  const picture = code.hatched([[[0, 0], [30, 0], [0, 30]], [[100, 100], [101, 100], [100, 101]]]);
+  const lines = [...picture.matchAll(/M([\d.]+) ([\d.]+)l(-?[\d.]+) (-?[\d.]+)/g)].map(([, ...numbers]) => numbers.map(Number));
+  assert.ok(lines.length >= 4);
+  for (const [x, y, right, down] of lines) for (const [u, v] of [[x, y], [x + right, y + down]]) assert.ok(u >= 0 && v >= 0 && (u < 1 || v < 1) && u + v <= 30, `${u} ${v}`);
+  assert.equal(code.hatched([[[100, 100], [101, 100], [100, 101]]]), '');
+  const { figure, seen } = atEnd('three', {});
+  const drawn = figure.plates.filter(({ draw }) => draw === 'mesh').map((/** @type {any} */ plate) => code.mesh({ ...seen, language: 'en' }, plate));
+  const counts = drawn.map((/** @type {string} */ text) => (/by-tint" d="([^"]*)"/.exec(text)?.[1] ?? '').split('M').length - 1);
+  // Random points have many more thin triangles than those by Lloyd and those by packing.
+  assert.ok(counts[0] > 40 && counts.slice(1).every((count) => count < counts[0] / 3), counts.join(' '));
+});

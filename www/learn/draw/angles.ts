@@ -1,8 +1,10 @@
 /** Triangles counted by their smallest angle, in rows above one axis: bars, the median as a line, and the reader's mark as a flag. */
 import type { AngleRow, Plate, View } from '../figures/figure';
 import { LARGEST, type JoinedCells } from '../figures/joined';
+import type { Place } from '../figures/place';
 import { number } from '../figures/words';
-import { tintOf } from './mesh';
+import { hatched } from './hatching';
+import { isThin, tintOf } from './mesh';
 import { at, circle, line, svg, symbol, text, WIDTH } from './plate';
 
 const [LEFT, RIGHT, TOP, ROW, TALL] = [80, WIDTH - 18, 16, 61, 38];
@@ -45,8 +47,8 @@ function rowOf(view: View, { name, letter }: AngleRow, row: number, { counts, me
   const floor = floorOf(row);
   const wide = (RIGHT - LEFT) / counts.length;
   const bars = counts.map((count, k) => {
-    const tall = (count / most) * TALL;
-    return count ? `<rect class="angle-bar tint-${tintOf(k * (LARGEST / counts.length))}" x="${at(LEFT + k * wide + 0.5)}" y="${at(floor - tall)}" width="${at(wide - 1)}" height="${at(tall)}"/>` : '';
+    const [angle, left, tall] = [k * (LARGEST / counts.length), LEFT + k * wide + 0.5, (count / most) * TALL];
+    return count ? bar(angle, left, floor - tall, wide - 1, tall) : '';
   });
   const of = view.language === 'ja' ? `${faces.length}個` : `of ${faces.length}`;
   const names = `${text(LEFT - 10, floor - 18, name[view.language], 'key', 'end')}${text(LEFT - 10, floor - 3, of, 'number', 'end')}`;
@@ -54,6 +56,12 @@ function rowOf(view: View, { name, letter }: AngleRow, row: number, { counts, me
   const isLeft = median > 50 || (beyond > -8 && beyond < NAMED);
   const middle = `${line([X(median), floor], [X(median), floor - POLE + 2], 'median')}${text(X(median) + (isLeft ? -5 : 5), floor - POLE + 9, `${number(median, 1)}°`, 'median-name', isLeft ? 'end' : 'start')}`;
   return `${line([LEFT, floor], [RIGHT, floor], 'axis')}${bars.join('')}${names}${middle}${mark(letter, row, view.at[row] ?? 0)}`;
+}
+
+/** A bar with the tint of its angle, and its lines if triangles of this angle are thin. */
+function bar(angle: number, x: number, y: number, wide: number, tall: number): string {
+  const corners: readonly Place[] = [[x, y], [x + wide, y], [x + wide, y + tall], [x, y + tall]];
+  return `<rect class="angle-bar tint-${tintOf(angle)}" x="${at(x)}" y="${at(y)}" width="${at(wide)}" height="${at(tall)}"/>${isThin(angle) ? hatched([corners]) : ''}`;
 }
 
 /** The reader's mark; one that was not set stands at 0. */

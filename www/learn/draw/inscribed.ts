@@ -8,7 +8,8 @@ import type { Place } from '../figures/place';
 import { number } from '../figures/words';
 import { SIDE } from './crowd';
 import { middleOf, sectorPath } from './delaunay';
-import { tintOf } from './mesh';
+import { hatched } from './hatching';
+import { isThin, tintOf } from './mesh';
 import { at, circle, line, svg, symbol, text, unit, WIDTH } from './plate';
 
 const MIDDLE: Place = [WIDTH / 2, 156];
@@ -48,7 +49,7 @@ function inCircle(joined: JoinedCells, worst: Triangle): string {
   const shape = `M${[at0, one, other].map(([x, y]) => `${at(x)} ${at(y)}`).join('L')}z`;
   const round = circle(MIDDLE, RADIUS, 'empty-circle');
   const side = `${line(one, other, 'shortest-side')}${beside([(one[0] + other[0]) / 2, (one[1] + other[1]) / 2], MIDDLE, symbol('shortest', 's'))}`;
-  return `${round}<path class="triangle tint-${tintOf(smallestOf(worst))}" d="${shape}"/><path class="looked-at" d="${shape}"/>${radiusTo(smallestOf(worst) < BAD ? clearOf(at0, one, other) : one)}${side}${angleAt(at0, one, other, smallestOf(worst))}`;
+  return `${round}<path class="triangle tint-${tintOf(smallestOf(worst))}" d="${shape}"/>${isThin(smallestOf(worst)) ? hatched([[at0, one, other]]) : ''}<path class="looked-at" d="${shape}"/>${radiusTo(smallestOf(worst) < BAD ? clearOf(at0, one, other) : one)}${side}${angleAt(at0, one, other, smallestOf(worst))}`;
 }
 
 /** A place on the circle that is away from a thin triangle: at a right angle to its long axis. */
@@ -89,5 +90,6 @@ function bar(angle: number): string {
   const marks = [0, BAD, LARGEST].map((value) => `${line([x(value), TOP - 4], [x(value), TOP + TALL + 5], value === BAD ? 'median' : 'tick')}${text(x(value), TOP + TALL + 19, `${value}°`, 'number')}`);
   const isLong = angle > 48;
   const value = text(x(angle) + (isLong ? -8 : 8), TOP + 13, `${symbol('gamma', 'γ')} = ${number(angle, 1)}°`, 'angle-value', isLong ? 'end' : 'start');
-  return `<rect class="angle-rail" x="${LEFT}" y="${TOP}" width="${RIGHT - LEFT}" height="${TALL}"/><rect class="angle-bar tint-${tintOf(angle)}" x="${LEFT}" y="${TOP}" width="${at(x(angle) - LEFT)}" height="${TALL}"/>${marks.join('')}${value}`;
+  const lines = isThin(angle) ? hatched([[[LEFT, TOP], [x(angle), TOP], [x(angle), TOP + TALL], [LEFT, TOP + TALL]]]) : '';
+  return `<rect class="angle-rail" x="${LEFT}" y="${TOP}" width="${RIGHT - LEFT}" height="${TALL}"/><rect class="angle-bar tint-${tintOf(angle)}" x="${LEFT}" y="${TOP}" width="${at(x(angle) - LEFT)}" height="${TALL}"/>${lines}${marks.join('')}${value}`;
 }

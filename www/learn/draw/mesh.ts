@@ -4,12 +4,18 @@ import { edgeKey, LARGEST, placeOf, smallestOf, type JoinedCells, type Triangle 
 import type { Place } from '../figures/place';
 import { number } from '../figures/words';
 import { outlineOf, SIDE } from './crowd';
+import { hatched } from './hatching';
 import { circle, svg } from './plate';
 
 /** The tints, from the thinnest triangles to those with three equal angles. */
 const TINTS = 6;
 
+/** Triangles of these first tints are thin: below 30°. Lines cross them, so that they stand out in grey, too. */
+const THIN = 3;
+
 export const tintOf = (angle: number): number => Math.min(TINTS - 1, Math.floor((angle / LARGEST) * TINTS));
+
+export const isThin = (angle: number): boolean => tintOf(angle) < THIN;
 
 /** A place on the plate. */
 export const onPlate = ([x, y]: Place): Place => [x * SIDE, y * SIDE];
@@ -24,12 +30,14 @@ export function loop(places: readonly Place[]): string {
 
 const corners = (points: ReadonlyMap<number, Place>, ids: readonly number[]): Place[] => ids.map((id) => placeOf(points, id));
 
-/** Triangles in one path for each tint. */
+/** Triangles in one path for each tint, and the lines across thin ones. */
 export function tinted({ points }: JoinedCells, triangles: readonly Triangle[]): string {
-  return Array.from({ length: TINTS }, (_, tint) => {
+  const thin = triangles.filter((triangle) => isThin(smallestOf(triangle))).map(({ ids }) => corners(points, ids).map(onPlate));
+  const filled = Array.from({ length: TINTS }, (_, tint) => {
     const own = triangles.filter((triangle) => tintOf(smallestOf(triangle)) === tint);
     return own.length ? `<path class="triangle tint-${tint}" d="${own.map(({ ids }) => loop(corners(points, ids))).join('')}"/>` : '';
-  }).join('');
+  });
+  return `${filled.join('')}${hatched(thin)}`;
 }
 
 export function dots(points: ReadonlyMap<number, Place>, radius: number): string {
