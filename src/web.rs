@@ -10,6 +10,7 @@ mod directions;
 mod files;
 #[cfg(house)]
 mod given;
+mod memory;
 mod objects;
 mod said;
 mod steps;
@@ -25,6 +26,7 @@ use crate::recipe::Recipe;
 use crate::studio::Studio;
 use glam::DVec2;
 use js_sys::{Array, Date, Object, Reflect};
+use memory::Memory;
 use said::{all, answer, notice};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen::{Clamped, JsCast};
@@ -51,6 +53,7 @@ pub struct Bubblestone {
     studio: Studio,
     notices: Vec<Notice>,
     clock: Clock,
+    memory: Memory,
     /// The file that is being received.
     #[cfg(house)]
     arriving: Option<crate::generators::GivenFile>,
@@ -70,6 +73,7 @@ impl Bubblestone {
             studio: Studio::new(ALL, recipe),
             notices,
             clock: Clock::new(),
+            memory: Memory::default(),
             #[cfg(house)]
             arriving: None,
         }
@@ -132,6 +136,7 @@ impl Bubblestone {
     /// Works for about `budget` milliseconds and makes at most `max_steps` packing steps (with 0 the packing
     /// pauses, but the other stages go on). True if the picture may have changed.
     pub fn tick(&mut self, budget: f64, max_steps: u32) -> bool {
+        self.memory.make_room();
         let clock = &self.clock;
         self.studio.tick(&mut || clock.now(), budget, max_steps)
     }

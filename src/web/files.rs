@@ -29,6 +29,7 @@ impl Bubblestone {
     /// mesh of all bodies in a GLB file. Only the second module makes mesh files.
     #[wasm_bindgen(js_name = meshFile, unchecked_return_type = "MeshSlice | Notice")]
     pub fn mesh_file(&mut self, ending: &str, detail: &str, images: &[u32], budget: f64) -> Object {
+        self.memory.make_room();
         let clock = &self.clock;
         let order = order(ending, detail, images).ok_or(Code::NoSuchFile.into());
         let made = order.and_then(|order| {

@@ -58,6 +58,7 @@ impl Bubblestone {
         how: &str,
         budget: f64,
     ) -> Object {
+        self.memory.make_room();
         let clock = &self.clock;
         let home = self.studio.generator().camera();
         let order = order(home, subject, camera, [width, height], how);
