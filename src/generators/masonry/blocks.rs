@@ -5,12 +5,13 @@ use super::congruent::Congruent;
 use super::cuboid::Cuboid;
 use super::params::BlockParams;
 use super::parts::add_plain;
+use super::rounding::{cast, fewer_steps, is_hewn, stone};
 use super::shapes::{BlockLook, BlockShape, ShapedBlock, SharedBody, WallShapes};
 use super::site::BuildingSite;
 use crate::building::labels::ROOF;
 use crate::building::{Building, ExtraMesh, FaceId, Mortar};
-use crate::masonry::block::{Bevelled, BlockMesh, Dressing, Polyhedron, Rough, Stonecutter};
-use crate::masonry::laying::{CellSort, MasonryCell};
+use crate::masonry::block::{Bevelled, BlockMesh, Dressing, Polyhedron, Stonecutter};
+use crate::masonry::laying::MasonryCell;
 use crate::order::{greater, lesser};
 use crate::scene::{Body, Instance, Paint, Place, Scene};
 use crate::solid::Surface;
@@ -19,9 +20,6 @@ use glam::{DVec3, Vec3};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-/// Width of the rounded edges of stones, and height of the bumps on them, at roughness 1 (metres).
-const BEVEL: f64 = 0.024;
-const BUMPS: f64 = 0.014;
 /// Least depth of the mortar behind the surface of a wall of rough stones (metres): at less depth the arrises of the
 /// mortar stand out of rounded corners. Below the roughness `ROUNDED` edges are less round, and it falls to 0 with them.
 const SUNK: f64 = 0.022;
@@ -59,6 +57,8 @@ impl Wall {
         cells: &[MasonryCell],
         last: Option<Rc<WallShapes>>,
     ) -> Self {
+        let fewer = fewer_steps(params, cells);
+        let look = (*params, fewer, site.fit);
         let mut scene = Scene::default();
         let looks = [(params.colours.mortar(), MORTAR_ROW), (BOARDS, WOOD_ROW)];
         let recess = mortar_depth(params);
@@ -71,8 +71,8 @@ impl Wall {
             scene,
             fit: site.fit,
             params: *params,
-            shapes: WallShapes::new(*params, site.fit),
-            last: last.filter(|last| last.serve(params, site.fit)),
+            shapes: WallShapes::new(look),
+            last: last.filter(|last| last.serve(&look)),
             dressing: Dressing {
                 chamfer: params.chamfer,
                 turn: Dressing::BRICK.turn * params.crooked,
@@ -80,8 +80,8 @@ impl Wall {
                 shift: lesser(Dressing::BRICK.shift * params.crooked, 0.5 * recess),
                 seed: params.seed,
             },
-            cutter: (params.rough > 0.0).then(|| Stonecutter::new(stone(params))),
-            caster: Stonecutter::new(cast(params)),
+            cutter: (params.rough > 0.0).then(|| Stonecutter::new(stone(params, fewer))),
+            caster: Stonecutter::new(cast(params, fewer)),
             shown: 0,
         }
     }
@@ -221,37 +221,6 @@ impl Wall {
     pub(super) fn finish(self) -> (Scene, Rc<WallShapes>) {
         (self.scene, Rc::new(self.shapes))
     }
-}
-
-/// Whether the block of a cell is a stone that may be rounded, and no sill or tile.
-fn is_hewn(cell: &MasonryCell, material: u8) -> bool {
-    material == STONE_ROW && !matches!(cell.sort, CellSort::Sill | CellSort::Tile)
-}
-
-/// The shape of rounded stones.
-fn stone(params: &BlockParams) -> Rough {
-    Rough {
-        bevel: BEVEL * params.rough,
-        height: BUMPS * params.rough,
-        seed: params.seed,
-        ..Rough::STONE
-    }
-}
-
-/// The shape of cast stones.
-fn cast(params: &BlockParams) -> Rough {
-    Rough {
-        seed: params.seed,
-        ..Rough::CAST
-    }
-}
-
-/// The shape of a cell's block if it is rounded; `None` if its edges are chamfered.
-pub(super) fn rounding(params: &BlockParams, cell: &MasonryCell, material: u8) -> Option<Rough> {
-    if cell.body.has_rough_sides() {
-        return Some(cast(params));
-    }
-    (params.rough > 0.0 && is_hewn(cell, material)).then(|| stone(params))
 }
 
 /// A surface whose triangles have the normals of their planes. Triangles of one plane share vertices.

@@ -115,6 +115,23 @@ impl Colours {
         }
     }
 
+    /// A cell's row of materials.
+    pub fn material_of(&self, cell: &MasonryCell) -> u8 {
+        match self.walls {
+            "parts" => BRICK_ROW,
+            _ => of_word(self.word_of(cell)).row,
+        }
+    }
+
+    /// The word for the colours of a cell.
+    fn word_of(&self, cell: &MasonryCell) -> &'static str {
+        match (cell.sort, is_dressing(cell) && self.dressing != "same") {
+            (CellSort::Tile, _) => self.roof,
+            (_, true) => self.dressing,
+            (_, false) => self.walls,
+        }
+    }
+
     /// The colour of a cell, and its row of materials.
     pub fn of_cell(
         &self,
@@ -125,12 +142,7 @@ impl Colours {
         if self.walls == "parts" {
             return (FEATURES[type_of(cell.feature)], BRICK_ROW);
         }
-        let word = match (cell.sort, is_dressing(cell) && self.dressing != "same") {
-            (CellSort::Tile, _) => self.roof,
-            (_, true) => self.dressing,
-            (_, false) => self.walls,
-        };
-        let range = of_word(word);
+        let range = of_word(self.word_of(cell));
         let mut random = Random::new(seed, Purpose::Paint, mark);
         let base = range.bases[random.below(range.bases.len())];
         let tone = 1.0 + vary * range.tone * random.signed();

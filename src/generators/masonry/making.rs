@@ -2,10 +2,11 @@
 //! for architectural models, sections 3.3 and 5.1): its place on the face, the space that it claims among its neighbours,
 //! the joints, the shape of its edges, and the block in the wall.
 
-use super::blocks::{flat, plain, rounding, smooth};
+use super::blocks::{flat, plain, smooth};
 use super::colours::STONE_ROW;
 use super::diagrams::{Clipped, clipped};
 use super::parts::add_plain;
+use super::rounding::rounding;
 use super::stages::MasonryStages;
 use crate::generators::scene_picture::{SceneStages, seen_near};
 use crate::masonry::block::{Bevelled, BlockMesh, Polyhedron, Rough, Stonecutter};

@@ -29,6 +29,7 @@ mod params;
 mod parts;
 mod plan_sentences;
 mod presets;
+mod rounding;
 mod schema;
 mod sentences;
 mod setting;

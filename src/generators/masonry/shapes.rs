@@ -89,10 +89,13 @@ impl SharedBody {
     }
 }
 
+/// How all blocks of a wall are shaped: their parameters, the number of Loop steps that rounded stones have less than usual,
+/// and the place of the building in the scene.
+type WallLook = (BlockParams, u32, Fit);
+
 /// The shapes of all blocks of a wall.
 pub(super) struct WallShapes {
-    params: BlockParams,
-    fit: Fit,
+    look: WallLook,
     /// The blocks, by the marks of their cells.
     blocks: BTreeMap<u32, ShapedBlock>,
     /// The bodies that blocks share, by shape and material.
@@ -101,18 +104,17 @@ pub(super) struct WallShapes {
 
 impl WallShapes {
     /// Starts without blocks.
-    pub fn new(params: BlockParams, fit: Fit) -> Self {
+    pub fn new(look: WallLook) -> Self {
         Self {
-            params,
-            fit,
+            look,
             blocks: BTreeMap::new(),
             bodies: BTreeMap::new(),
         }
     }
 
-    /// Whether equal blocks of a wall with these parameters have the same shapes.
-    pub fn serve(&self, params: &BlockParams, fit: Fit) -> bool {
-        self.params == *params && self.fit == fit
+    /// Whether equal blocks of a wall with this look have the same shapes.
+    pub fn serve(&self, look: &WallLook) -> bool {
+        self.look == *look
     }
 
     /// The block that was made of an equal cell.
