@@ -93,13 +93,13 @@ export function arrowTo([x, y]: readonly [number, number], [dx, dy]: readonly [n
   return `<g class="arrow small ${kind}">${shaft}<path class="head" d="M${at(x + dx)} ${at(y + dy)}L${at(bx - side * uy)} ${at(by + side * ux)}L${at(bx + side * uy)} ${at(by - side * ux)}z"/></g>`;
 }
 
-/** The axis of w with its numbers, and the bands of push, pull and nothing above it, with lines at their borders. */
+/** The axis of w with its numbers, and the bands of push, pull and nothing above it, with lines at their borders down to it. */
 export function axisOfW(y: number, top: number, bottom: number, language: Language): string {
   const marks = [0, 0.5, 1, 1.5, 2].map((w) => `${line([X(w), y - 3], [X(w), y + 3], 'tick')}${text(X(w), bottom + 16, String(w), 'number')}`);
   const names = [[0, 1, 'push', PUSH], [1, 1.5, 'pull', PULL], [1.5, WIDEST, 'none', NOTHING]] as const;
   const bands = names.map(([from, to, kind, words]) => {
     const middle = text(X((from + to) / 2), top - 6, pick(words, language), `band-name ${kind}`);
-    return `<rect class="band ${kind}" x="${at(X(from))}" y="${at(top)}" width="${at(UNIT * (to - from))}" height="${at(bottom - top)}"/>${kind === 'none' ? '' : line([X(to), top], [X(to), bottom], 'border')}${middle}`;
+    return `<rect class="band ${kind}" x="${at(X(from))}" y="${at(top)}" width="${at(UNIT * (to - from))}" height="${at(bottom - top)}"/>${kind === 'none' ? '' : line([X(to), top], [X(to), y], 'border')}${middle}`;
   });
   return `${bands.join('')}${line([X(0), y], [X(WIDEST), y], 'axis')}${marks.join('')}${text(X(WIDEST) + 2, bottom + 16, symbol('w', 'w'), 'number', 'end')}`;
 }
