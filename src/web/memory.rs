@@ -28,7 +28,7 @@ impl Memory {
         let mut room = Vec::<u8>::new();
         // Without room, the work goes on, and may need none.
         let has_room = room.try_reserve_exact(now / PART).is_ok();
-        // What is freed here stays at the end of the memory. The compiler must not leave the room out.
+        // The freed room stays at the end of the memory, for later use. The compiler must not leave it out.
         drop(black_box((room, has_room)));
         self.size = memory_size::<0>() * PAGE;
     }

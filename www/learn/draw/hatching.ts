@@ -1,4 +1,4 @@
-/** Slanted lines in polygons, so that a tint is told without its colour. */
+/** Slanted lines in polygons: they tell a tint without its colour. */
 import type { Place } from '../figures/place';
 
 /** Between two lines along x, in units of the plate. */
