@@ -138,7 +138,7 @@ test('halfway between two strokes squares stand at the mean of their four-fold a
   }
   const halfway = (/** @type {number} */ one, /** @type {number} */ other) => asked(opened('halfway', { 'stroke-1': String(one), 'stroke-2': String(other) }), []);
   for (const [one, other] of [[10, 30], [30, 60], [10, 55]]) assert.equal(halfway(Number(one), Number(other)), undefined);
-  assert.match(halfway(10, 80), /Halfway squares stand at 0°: to a square 80° is −10°\. The certainty is 0\.77/);
+  assert.match(halfway(10, 80), /To a square 80° is −10°, and the mean of 10° and −10° is 0°\. So halfway squares stand at 0\.0°, with certainty 0\.77/);
 });
 
 test('whole degrees have the unit vectors of cosine and sine, and right angles exact ones', () => {

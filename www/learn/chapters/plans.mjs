@@ -38,7 +38,7 @@ export const general = [
         ja: '「授業用」では図が一つずつ画面を満たします。左右の矢印キーで前後に、答えの横の欄に挙手の数を入れます。Escで終わります。',
       },
       {
-        en: 'After one visit with a connection the pages work offline. What pupils do is sent nowhere.',
+        en: 'After one visit with a connection the pages work offline. Nothing that pupils do is sent anywhere.',
         ja: '一度接続して開いておけば、オフラインでも使えます。生徒の操作はどこにも送りません。',
       },
       {
@@ -97,11 +97,11 @@ export const plans = [
 /** The headings of each chapter’s part. */
 export const headings = {
   aims: { en: 'Aims', ja: 'ねらい' },
-  before: { en: 'What pupils should know before', ja: '前提となる知識' },
+  before: { en: 'Needed before', ja: '前提となる知識' },
   plans: { en: 'Plans', ja: '授業案' },
   across: { en: 'Plans over several chapters', ja: '複数の章にわたる授業案' },
   minutes: { en: 'minutes', ja: '分' },
   questions: { en: 'Questions, and the thoughts behind the answers', ja: '問題と、答えの背後にある考え' },
-  wrong: { en: 'What goes wrong in class', ja: 'つまずきやすいところ' },
+  wrong: { en: 'Where pupils stumble', ja: 'つまずきやすいところ' },
   states: { en: 'Prepared states', ja: '準備済みの状態' },
 };

@@ -12,7 +12,7 @@ const all = [
   {
     key: 'force', symbol: 'f', chapter: 'two-bubbles',
     name: { en: 'force', ja: '力' },
-    text: { en: 'What one bubble does to another, along the line between their centres. Above 0 it pushes, below 0 it pulls.', ja: '中心を結ぶ線に沿って、一つのバブルがもう一つに及ぼす作用。正なら押し、負なら引く。' },
+    text: { en: 'The push or pull of one bubble on another, along the line between their centres. Above 0 it pushes, below 0 it pulls.', ja: '中心を結ぶ線に沿って、一つのバブルがもう一つに及ぼす作用。正なら押し、負なら引く。' },
   },
   {
     key: 'potential', symbol: 'psi', chapter: 'two-bubbles',

@@ -25,7 +25,7 @@ export const whichWay = {
         ja: '正方形には、四つの辺の先に井戸がありました。中心のまわりに90°回すと、井戸はどこにあるでしょう。',
       },
       caption: {
-        en: 'A square with its wells and its arrow, turned, and its [[four-fold|four-fold arrow]], which turns four times as fast. After 90° the square looks as before. Of the two arrows only the four-fold one does, too.',
+        en: 'A square with its wells and its arrow, turned, and its [[four-fold|four-fold arrow]], which turns four times as fast. After 90° the square looks as before. Its own arrow does not, but the four-fold one does.',
         ja: '井戸や矢印ごと回した正方形と、四倍の速さで回る[[four-fold|四倍角の矢印]]。90°回すと正方形は元と同じに見えます。二つの矢印のうち元に戻るのは、四倍角の矢印だけです。',
       },
       answers: [

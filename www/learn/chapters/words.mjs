@@ -4,7 +4,7 @@ export const words = {
   en: {
     learn: 'Learn',
     lead: 'How forces make meshes, and meshes make stones: by hand, in chapters of twenty minutes.',
-    about: 'Each chapter has one idea. You predict, you try, and the figure tells what happened. It runs on the program itself, in this page. What you do is neither stored nor sent.',
+    about: 'Each chapter has one idea. You predict, you try, and the figure tells what happened. It runs on the program itself, in this page. Nothing that you do is stored or sent.',
     chapters: 'Chapters',
     chapter: (/** @type {number} */ number) => `Chapter ${number}`,
     coming: 'in preparation',
