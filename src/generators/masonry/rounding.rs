@@ -12,8 +12,6 @@ const BUMPS: f64 = 0.014;
 /// one. A stone of ashlar counts 16 and takes about 55 kB at all its levels. So all stones take 300 MB at most, and those
 /// of the wall before an edit as much again; the memory of a page has 1 GiB.
 const MOST: u64 = 16 * 5_500;
-/// No stone has more Loop steps.
-const MOST_STEPS: u32 = 4;
 
 /// Whether the block of a cell is a stone that may be rounded, and no sill or tile.
 pub(super) fn is_hewn(cell: &MasonryCell, material: u8) -> bool {
@@ -64,8 +62,9 @@ fn fewer(steps: &[u32]) -> u32 {
         let each = steps.iter().map(|&steps| steps.saturating_sub(fewer));
         each.map(|steps| 4_u64.pow(steps)).sum::<u64>()
     };
-    let enough = (0..MOST_STEPS).find(|&fewer| all(fewer) <= MOST);
-    enough.unwrap_or(MOST_STEPS)
+    let most = steps.iter().copied().max().unwrap_or(0);
+    let enough = (0..most).find(|&fewer| all(fewer) <= MOST);
+    enough.unwrap_or(most)
 }
 
 #[cfg(test)]
