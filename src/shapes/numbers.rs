@@ -137,12 +137,12 @@ numbers! {
         tube: "Radius of the tube over that of the ring", "", 0.4, [0.12, 0.75, 0.01];
         height: "Height of the tube over its width", "", 1.0, [0.5, 2.0, 0.05];
         waves: "Waves around", "", 0.0, [0.0, 8.0, 1.0];
-        swell: "Depth of the waves, of what they may have", "", 0.5, [0.0, 1.0, 0.05];
+        swell: "Depth of the waves over the greatest possible", "", 0.5, [0.0, 1.0, 0.05];
     }
     KNOT {
         turns: "Turns around the middle", "", 2.0, [2.0, 3.0, 1.0];
         lobes: "Lobes", "", 3.0, [3.0, 8.0, 1.0];
-        tube: "Thickness, of the room there is", "", 0.7, [0.35, 0.85, 0.05];
+        tube: "Thickness over the room there is", "", 0.7, [0.35, 0.85, 0.05];
         swing: "How far lobes swing in and out", "", 0.42, [0.25, 0.52, 0.01];
         height: "Height over depth of the swing", "", 0.9, [0.6, 1.4, 0.05];
     }
@@ -150,7 +150,7 @@ numbers! {
         turns: "Turns", "", 2.0, [0.25, 3.0, 0.05];
         rise: "How far it winds out of its plane", "", 1.0, [0.0, 2.0, 0.05];
         taper: "Width of the tip over that of the root", "", 0.14, [0.08, 0.6, 0.01];
-        girth: "Thickness, of the room there is", "", 0.7, [0.35, 0.85, 0.05];
+        girth: "Thickness over the room there is", "", 0.7, [0.35, 0.85, 0.05];
     }
     LEG {
         toes: "Toes", "", 4.0, [3.0, 5.0, 1.0];

@@ -50,7 +50,7 @@ const fn millimetres(name: &'static str, [least, most, usual]: [f64; 3]) -> Para
 }
 
 rows! {
-    building BUILDING: "What is built: one by rule, or that of a file." =>
+    building BUILDING: "The building: one by rule, or that of a file." =>
         choice("Building", choices![
             gabled: "House with gables", lhouse: "L-shaped house", block: "Block", wall: "Wall with openings",
             gate: "Gate", steps: "Steps with columns", tower: "Round tower", ring: "Ring of walls",

@@ -89,7 +89,7 @@ rows! {
             .only_with(keys::GB);
     spots SPOTS: "Soft spots of larger or smaller cells." =>
         text("Size spots", Item::Spot(0.2, 3.0)).group("Size");
-    dir DIR: "What the rows of cells follow: the boundary, painted strokes, one angle, a point, or eq. (1) as it is printed." =>
+    dir DIR: "Rows of cells follow the boundary, painted strokes, one angle, a point, or eq. (1) as it is printed." =>
         choice("Direction", choices![
             boundary: "Along the boundary", constant: "One angle", printed: "Eq. (1) as printed",
             radial: "Radial", circular: "Circular", spiral: "Spiral", strokes: "Strokes only",
@@ -118,7 +118,7 @@ rows! {
         number("", "Reach of strokes").range(0.02, 1.0, 0.01, FIELDS.reach / FIELDS.side).group("Direction").steady()
             .only_with(keys::STROKES);
 
-    edge EDGE: "What lies on the boundary: the edges of the outermost cells, or their fixed centres. Without walls cells may leave." =>
+    edge EDGE: "The outermost cells have their edges on the boundary, or their centres, which then stay. Without walls cells may leave." =>
         choice("Boundary", choices![wall: "Edges on it", on: "Centres on it", open: "No walls"])
             .group("Packing").steady();
     start START: "Where cells are put at first." =>

@@ -310,7 +310,7 @@ rows! {
     merge MERGE: "Whether darts of a smaller type go where one of a larger type is near." =>
         choice("Types", choices![merged: "Merged", alone: "Each for itself"]).group("Placing");
     frame FRAME: "The axes from which bodies turn: those of the surface at each place, or those of space." =>
-        choice("Axes", choices![local: "Of the surface", global: "Of space"]).group("Placing");
+        choice("Axes", choices![local: "Surface", global: "Space"]).group("Placing");
     seed SEED: "Names the random numbers: another seed, another pile." => shared::SEED.group("Placing");
 
     refine REFINE: "How a body's place is found: exactly, or by the paper's golden section." =>

@@ -44,7 +44,7 @@ lists! {
             ]).group("Surface").main();
         vary VARY: "Variation of tone from stone to stone." =>
             number("", "Tone variation").range(0.0, 2.0, 0.05, TEXTURE.vary).group("Surface");
-        ground GROUND: "What lies between the stones." =>
+        ground GROUND: "Fills the joints between the stones." =>
             choice("Ground", choices![
                 sand: "Sand", soil: "Soil", mortar: "Mortar", dark: "Dark earth",
                 moss: "Moss", gravel: "Gravel", hide: "Bare hide",

@@ -27,7 +27,7 @@ const FLAG: &[&str] = &["flag"];
 
 lists! {
     LEAN: "Rows of the form, the height and the lean of stones and scales." {
-        stone STONE: "What a cell becomes: a round stone, a flat one with bevelled edges, or a cell of skin, a prism that may lean and taper." =>
+        stone STONE: "A cell becomes a round stone, a flat one with bevelled edges, or a cell of skin, a prism that may lean and taper." =>
             choice("Form", choices![cobble: "Cobblestone", flag: "Flagstone", skin: "Skin"])
                 .group("Relief").main();
         sv SV: "Scale of the base in its cell; below 1 the joints get wider. Smoothing draws skin together, so it needs more." =>
@@ -88,7 +88,7 @@ lists! {
         pa PA: "Across bands, or where marked cells point, clockwise from the x axis." =>
             number("", "Pattern angle").range(-180.0, 180.0, 1.0, COLOURS.angle.to_degrees()).unit("°")
                 .group("Colour").only_for(keys::PATTERN, &["bands", "direction"]);
-        ps PS: "Of the border between marked cells and others: 0 soft, 1 sharp." =>
+        ps PS: "Border between marked cells and others: 0 soft, 1 sharp." =>
             number("", "Pattern sharpness").range(0.0, 1.0, 0.05, COLOURS.sharpness).group("Colour")
                 .only_for(keys::PATTERN, PATTERNS);
         pc PC: "Share of the cells that are marked." =>

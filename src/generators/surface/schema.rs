@@ -30,14 +30,14 @@ rows! {
             .group("Shape").steady().only_for(keys::FORM, &[FILE]);
     on ON: "Cells are packed on the surface as it is, or on a simpler one, and brought back from there." =>
         choice("Packed on", choices![
-            fit: "What is fine enough", whole: "The surface itself", simple: "A simpler surface",
+            fit: "As fine as needed", whole: "The surface itself", simple: "A simpler surface",
         ])
             .group("Shape").steady().only_for(keys::FORM, &[FILE]);
     crease CREASE: "Cells are folded over sharp edges, or the surface is cut along them." =>
         choice("Creases", choices![fold: "Folded over", cut: "Cut"]).group("Shape");
     fold FOLD: "Edges that bend by more than this are creases." =>
         number("", "Angle of creases").range(5.0, 120.0, 1.0, 25.0).unit("°").group("Shape").steady();
-    open OPEN: "What is beyond the ends of the surface: the inside of a shell, the cut through a body, or ground down to a floor." =>
+    open OPEN: "Ends of the surface show the inside of a shell, the cut through a body, or ground down to a floor." =>
         choice("Openings", choices![
             own: "As the surface has them", shell: "A shell", capped: "A body", block: "Ground",
         ]).group("Shape").steady();
@@ -60,11 +60,11 @@ rows! {
             .only_for(keys::KIND, STRETCHED);
     stretch STRETCH: "Soft spots on the surface with an aspect ratio of their own." =>
         text("Aspect spots", Item::Patch(1.0, 5.0)).group("Cells").only_for(keys::KIND, STRETCHED);
-    cn CN: "About so many cells cover the surface." =>
+    cn CN: "Number of cells on the surface, approximately." =>
         int("", "Cells").range(30.0, 20_000.0, 10.0, 1200.0).group("Size").main();
     taper TAPER: "Size of the cells at the end over that at the beginning." =>
         number("", "Taper").range(0.1, 10.0, 0.05, 1.0).group("Size");
-    along ALONG: "What cells grow or shrink along: the body from head to tail, or one direction." =>
+    along ALONG: "Cells grow or shrink along the body from head to tail, or along one direction." =>
         choice("Taper along", choices![bones: "Head to tail", up: "Upwards", right: "To the right", front: "To the front"])
             .group("Size").only_with(keys::TAPER);
     cc CC: "Smaller cells where the surface bends more: the angle that a cell spans there; 0 leaves sizes even." =>
@@ -75,7 +75,7 @@ rows! {
         number("", "Largest cells").range(1.0, 3.0, 0.05, 1.5).group("Size").only_with(keys::CC);
     spots SPOTS: "Soft spots of larger or smaller cells on the surface." =>
         text("Size spots", Item::Patch(0.2, 3.0)).group("Size");
-    dir DIR: "What the rows of cells follow: the body from head to tail, one direction, the bending, borders, or only each other." =>
+    dir DIR: "Rows of cells follow the body from head to tail, one direction, the bending, borders, or only each other." =>
         choice("Direction", choices![
             bones: "Head to tail", axis: "One direction", curvature: "Along the bending",
             border: "Borders and creases", free: "As smooth as can be",

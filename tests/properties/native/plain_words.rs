@@ -1,8 +1,10 @@
-//! Comments are plain English: a reader from outside understands a sentence the first time.
+//! Comments and the texts of parameters are plain English: a reader from outside understands a sentence the
+//! first time.
 //!
 //! Grammar cannot be checked, but some habits that made comments hard to read can: sentences that begin with
 //! the words in [`FIRST_WORDS`], and the phrases in [`PHRASES`], which hide who does something.
 
+use bubblestone::generators::ALL;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -148,6 +150,21 @@ fn comments_are_plain() {
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// The page shows the name, the help and the choices of each parameter.
+#[test]
+fn texts_of_parameters_are_plain() {
+    let rows = ALL.iter().flat_map(|generator| generator.schema.rows);
+    let texts = rows.flat_map(|row| {
+        let labels = row.choices.iter().map(|choice| choice.label);
+        labels.chain([row.name, row.help])
+    });
+    let faults: Vec<String> = texts
+        .flat_map(sentences)
+        .filter(|sentence| is_riddle(sentence))
+        .collect();
+    assert!(faults.is_empty(), "texts to rewrite: {faults:#?}");
 }
 
 #[test]
