@@ -215,6 +215,77 @@ fn arches_keep_their_radius_and_do_not_swallow_their_jambs() {
     assert!(read.curved.len() == 2 && read.curved.iter().all(|curved| curved.is_whole));
 }
 
+/// A round tower of many sides about an axis that is off the origin, as a file whose numbers have few decimals.
+fn rounded_tower(sides: usize, decimals: usize) -> String {
+    let mut text = String::from("g Wall\n");
+    for height in [0.0, 3.0] {
+        for k in 0..sides {
+            let (sin, cos) = libm::sincos(std::f64::consts::TAU * k as f64 / sides as f64);
+            let (x, z) = (0.1234 + 2.5 * cos, -1.7 - 2.5 * sin);
+            writeln!(text, "v {x:.decimals$} {height} {z:.decimals$}").unwrap();
+        }
+    }
+    for a in 1..=sides {
+        let b = a % sides + 1;
+        writeln!(
+            text,
+            "f {a} {b} {}\nf {a} {} {}",
+            b + sides,
+            b + sides,
+            a + sides
+        )
+        .unwrap();
+    }
+    let lid: Vec<String> = (1..=sides).map(|k| (k + sides).to_string()).collect();
+    writeln!(text, "f {}", lid.join(" ")).unwrap();
+    text
+}
+
+#[test]
+fn rounded_numbers_do_not_divide_a_cylinder() {
+    for (sides, decimals) in [(12, 3), (24, 3), (32, 4), (64, 4), (96, 5), (200, 6)] {
+        let read = obj::read(rounded_tower(sides, decimals).as_bytes()).unwrap();
+        let case = format!("{sides} sides, {decimals} decimals");
+        let [curved] = read.curved[..] else {
+            panic!("{case}: {:?}", read.curved);
+        };
+        assert!(curved.is_whole && curved.pieces == sides, "{case}");
+        assert!(
+            (curved.radius - 2.5).abs() < 1e-3,
+            "{case}: {}",
+            curved.radius
+        );
+        let building = built(&case, &read.draft);
+        // The rims of the wall are whole circles, each of one piece.
+        assert_eq!(building.edges().len(), 2, "{case}");
+        for edge in building.edges() {
+            assert_eq!(edge.path.pieces().len(), 1, "{case}");
+        }
+    }
+}
+
+#[test]
+fn a_rounded_arch_does_not_swallow_its_jambs() {
+    let draft = Rule::Gate.draft(&Module::NORMAL, &[]);
+    let exact = obj_of(&built("gate", &draft));
+    for decimals in [4, 5] {
+        let rounded = |word: &str| match word.parse::<f64>() {
+            Ok(number) if word.contains('.') => format!("{number:.decimals$}"),
+            _ => word.to_owned(),
+        };
+        let lines = exact.lines().map(|line| {
+            let words: Vec<String> = line.split(' ').map(rounded).collect();
+            words.join(" ")
+        });
+        let text = lines.collect::<Vec<_>>().join("\n");
+        let read = obj::read(text.as_bytes()).unwrap();
+        let before = obj::read(exact.as_bytes()).unwrap();
+        assert_eq!(read.curved.len(), 1, "{decimals} decimals");
+        assert_eq!(read.curved[0].pieces, before.curved[0].pieces);
+        assert_eq!(read.flat, before.flat);
+    }
+}
+
 #[test]
 fn groups_part_faces_and_name_them() {
     let text = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 0 1 0\n\

@@ -12,6 +12,7 @@
 //!
 //! Lengths are metres, angles radians. Space is right-handed with y up; faces are counter-clockwise seen from outside.
 
+mod bows;
 mod checking;
 mod child;
 mod class;

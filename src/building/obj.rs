@@ -5,12 +5,14 @@
 //! its axis, is a curved face. The names of a group are the labels of its faces, and lengths are metres.
 //!
 //! Jambs that are tangent to an arch do not belong to it: each joint has a circle through itself and its two
-//! neighbours, and only joints with the same circle are joined.
+//! neighbours, and only joints with the same circle are joined. Places that a file gives to the millimetre, or finer, are
+//! put back on their cylinder.
 
+use super::bows::{self, Bow};
 use super::checking;
 use super::draft::{Draft, DraftArc, DraftFace};
 use super::fault::BuildingFault;
-use super::recognising::{self, Bow, Facet, FacetModel};
+use super::recognising::{Facet, FacetModel};
 use super::rules::flat_surface;
 use crate::domain::signed_area;
 use crate::modelfiles::PolygonModel;
@@ -59,8 +61,11 @@ pub fn read(bytes: &[u8]) -> Result<Recognised, BuildingFault> {
     for (k, &place) in model.positions.iter().enumerate() {
         checking::vector(|| format!("v {}", k + 1), place)?;
     }
-    let facets = FacetModel::new(&model)?;
-    let bows = recognising::bows(&facets);
+    let mut facets = FacetModel::new(&model)?;
+    let bows = bows::bows(&facets);
+    for bow in &bows {
+        bow.put_on(&mut facets);
+    }
     let mut draft = Draft {
         vertices: facets.positions.clone(),
         ..Draft::default()
