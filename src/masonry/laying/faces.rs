@@ -4,7 +4,7 @@ use super::bricks::BrickBond;
 use super::cell::{CellDraft, CellSort, Feature};
 use super::site::Site;
 use super::work::SiteWork;
-use crate::building::{Bend, FaceId, Stance};
+use crate::building::{Bend, FaceId, Piece, Stance};
 use crate::masonry::block::Polyhedron;
 use crate::masonry::footprint::Footprint;
 use crate::masonry::free_space::{LEAST_SHARE, TOUCH, remainder};
@@ -155,13 +155,25 @@ impl Site {
             };
             self.face_brick(id, node, (&brick.place, brick.area), sort);
         }
-        if self.plan.grid(id).stance == Stance::Level && self.is_oblique(id) {
+        let is_level = self.plan.grid(id).stance == Stance::Level;
+        if is_level && (self.is_oblique(id) || self.is_round(id)) {
             self.fill_gaps(id, node, at.0);
         }
     }
 
-    /// Lays pieces in the gaps that cut bricks leave in a row of a level face, beside the oblique sides of blocks on
-    /// its corners and edges.
+    /// Whether a flat face has an arc for a border, as the lid of a tower.
+    fn is_round(&self, id: FaceId) -> bool {
+        let face = self.face(id);
+        let mut edges = face.loops.iter().flatten();
+        face.surface.is_flat()
+            && edges.any(|walk| {
+                let mut pieces = self.edge(walk.edge).path.pieces().iter();
+                pieces.any(|piece| matches!(piece, Piece::Arc(_)))
+            })
+    }
+
+    /// Lays pieces in the gaps that cut bricks leave in a row of a level face: beside the oblique sides of blocks on
+    /// its corners and edges, and along arcs.
     fn fill_gaps(&mut self, id: FaceId, node: &GeneratorNode, row: usize) {
         let grid = self.plan.grid(id);
         let last = grid.column_lines().len() - 1;
@@ -201,6 +213,12 @@ impl Site {
             bricks.remove(k);
         }
         bricks
+    }
+
+    /// Whether so little of a place on a wall is free that no stone should be cut to it alone.
+    pub fn is_sliver(&self, id: FaceId, place: &GridPlace) -> bool {
+        let least = SLIVER * self.plan.module.half * self.plan.module.course;
+        is_wall(self.face(id)) && (TOUCH..least).contains(&self.free_area(id, place))
     }
 
     /// The area of a place on a face that is free, exactly (square metres).

@@ -32,6 +32,8 @@ pub(super) struct RunSide {
     pub start: f64,
     /// 1 if `lines` rise on the way into the face, else -1.
     pub way: f64,
+    /// How far the ends of an arc lie inside of the straight line that stands for it on a flat face (metres).
+    pub bent: f64,
 }
 
 impl RunSide {
@@ -135,10 +137,18 @@ impl Site {
             .project(path.point(0.5 * (ends[0] + ends[1]) + STEP))
             .truncate();
         let way = (beside - middle) / STEP;
+        let end = middle + way * (0.5 * (ends[1] - ends[0]));
+        let bent = (surface.project(path.point(ends[1])).truncate()).distance(end);
+        // Cells along the tangent of a flat face's round outline would lie outside of it: faces meet at a mitre there.
+        let is_plane = matches!(surface, FaceSurface::Sweep(_)) && surface.is_flat();
+        if is_plane && bent > BENT * self.plan.module.half {
+            return None;
+        }
         let side = |inwards: DVec2, along: DVec2, (lines, start, way): (Vec<f64>, f64, f64)| {
             let along = along * (beside.distance(middle) / STEP);
             let place = middle - along * (0.5 * (ends[1] - ends[0]));
             RunSide {
+                bent: if is_plane { bent } else { 0.0 },
                 face,
                 place,
                 inwards,
@@ -148,13 +158,6 @@ impl Site {
                 way,
             }
         };
-        let end = middle + way * (0.5 * (ends[1] - ends[0]));
-        let bent = (surface.project(path.point(ends[1])).truncate()).distance(end);
-        // Cells along the tangent of a flat face's round outline would lie outside of it: faces meet at a mitre there.
-        let is_plane = matches!(surface, FaceSurface::Sweep(_)) && surface.is_flat();
-        if is_plane && bent > BENT * self.plan.module.half {
-            return None;
-        }
         let straight = axis(inwards).zip(axis(way.try_normalize()?));
         if let Some((inwards, along)) = straight {
             let lines = self.lines(face, inwards.x != 0.0);
@@ -186,7 +189,9 @@ impl Site {
     pub fn room(&self, side: &RunSide, along: f64) -> Room {
         let from = side.at(along);
         let region = &self.regions[side.face.index()];
-        let width = region.ray(from, side.inwards, NEAR).unwrap_or(f64::MAX);
+        // The ends of the straight line that stands for an arc lie outside of it.
+        let skip = NEAR + side.bent;
+        let width = region.ray(from, side.inwards, skip).unwrap_or(f64::MAX);
         // The seam of a cylinder is no border.
         if width == f64::MAX
             || self.face(side.face).surface.period().is_some()
