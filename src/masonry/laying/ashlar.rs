@@ -242,6 +242,7 @@ impl Site {
             match self.faces[id.index()].coverage_of(&place) {
                 Coverage::Occupied => Unit::Taken,
                 Coverage::Free if self.is_free(id, &place.footprint()) => Unit::Free,
+                _ if self.is_sliver(id, &place) => Unit::Sliver,
                 _ => Unit::Partly,
             }
         };
@@ -285,7 +286,7 @@ impl AshlarWork {
             width: self.node.count("most_width"),
             height: self.node.count("most_height"),
         };
-        let mut stones = bond::stones(&self.units, most, &mut self.random);
+        let mut stones = bond::stones(&mut self.units, most, &mut self.random);
         stones.reverse();
         stones
     }

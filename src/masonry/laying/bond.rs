@@ -5,15 +5,16 @@ mod mending;
 use super::rectangles::{Most, Rectangle, Unit, Units};
 use crate::random::Random;
 
-/// Fills the free units of a face with stones of at most a size, and gives each unit that is partly free one of its own,
-/// after the others.
-pub(super) fn stones(units: &Units, most: Most, random: &mut Random) -> Vec<Rectangle> {
+/// Fills the free units of a face with stones of at most a size. The stones of units that are partly free follow after
+/// the others.
+pub(super) fn stones(units: &mut Units, most: Most, random: &mut Random) -> Vec<Rectangle> {
+    let cut = units.cut_stones();
     let mut bond = Bond::new(units, most);
     bond.lay(units, random);
     bond.merge(random);
     bond.mend();
     let whole = bond.stones.into_iter().flatten();
-    whole.chain(units.partly()).collect()
+    whole.chain(cut).collect()
 }
 
 /// A unit without a stone.
@@ -39,7 +40,7 @@ impl Bond {
     fn new(units: &Units, most: Most) -> Self {
         let owner = |state: &Unit| match state {
             Unit::Free => OPEN,
-            Unit::Partly => PARTLY,
+            Unit::Partly | Unit::Sliver => PARTLY,
             Unit::Taken => TAKEN,
         };
         Self {
@@ -254,19 +255,20 @@ mod tests {
         height: 3,
     };
 
-    /// Stones of a face of 17 by 11 units with some that are partly free.
+    /// Stones of a face of 17 by 11 units with some that are partly free, and some slivers.
     fn stones_with_gaps(seed: u64) -> (Units, Vec<Rectangle>) {
         let mut random = Random::new(seed, Purpose::Placement, 0);
         let state = |k| match k % 13 {
             5 => Unit::Partly,
+            6 | 11 => Unit::Sliver,
             _ => Unit::Free,
         };
-        let units = Units {
+        let mut units = Units {
             columns: 17,
             is_round: seed % 2 == 1,
             states: (0..17 * 11).map(state).collect(),
         };
-        let stones = stones(&units, MOST, &mut random);
+        let stones = stones(&mut units, MOST, &mut random);
         (units, stones)
     }
 
@@ -289,14 +291,14 @@ mod tests {
     #[test]
     fn stones_of_plain_walls_and_cylinders_hardly_ever_meet_in_crosses() {
         for seed in 0..20 {
-            let units = Units {
+            let mut units = Units {
                 columns: 40,
                 is_round: seed % 2 == 1,
                 states: vec![Unit::Free; 40 * 24],
             };
             let mut random = Random::new(seed, Purpose::Placement, 0);
             let mut bond = Bond::new(&units, MOST);
-            for (number, stone) in (0..).zip(stones(&units, MOST, &mut random)) {
+            for (number, stone) in (0..).zip(stones(&mut units, MOST, &mut random)) {
                 bond.own(number, &stone);
                 bond.stones.push(Some(stone));
             }

@@ -2,6 +2,7 @@
 
 use crate::order;
 use crate::random::Random;
+use std::collections::BTreeMap;
 
 /// How far units may be visited out of the order of rows, in rows.
 const SHUFFLE: f64 = 1.5;
@@ -12,6 +13,8 @@ pub(super) enum Unit {
     Free,
     /// Partly free: it gets a stone of its own, cut to the free space.
     Partly,
+    /// So little of it is free that the stone of a neighbour in its row takes it.
+    Sliver,
     Taken,
 }
 
@@ -85,10 +88,38 @@ impl Units {
         self.states.len() / self.columns
     }
 
-    /// The units that are partly free, each as a stone of its own.
-    pub fn partly(&self) -> impl Iterator<Item = Rectangle> {
-        let partly = (0..self.states.len()).filter(|&k| self.states[k] == Unit::Partly);
-        partly.map(|k| self.single(k))
+    /// The numbers of all units in a state.
+    fn all(&self, state: Unit) -> Vec<usize> {
+        let all = 0..self.states.len();
+        all.filter(|&k| self.states[k] == state).collect()
+    }
+
+    /// The stones of units that are partly free: each has one of its own, but slivers join a neighbour in their row,
+    /// a partly free one if there is one. `states` then has such neighbours as partly free.
+    pub fn cut_stones(&mut self) -> Vec<Rectangle> {
+        let mut stones: BTreeMap<usize, Rectangle> = BTreeMap::new();
+        for k in self.all(Unit::Sliver) {
+            let column = k % self.columns;
+            let before = (column > 0).then(|| k - 1);
+            let after = (column + 1 < self.columns).then_some(k + 1);
+            let beside = || [before, after].into_iter().flatten();
+            let is_open =
+                |state: Unit, at: &usize| self.states[*at] == state && !stones.contains_key(at);
+            let other = beside()
+                .find(|at| is_open(Unit::Partly, at))
+                .or_else(|| beside().find(|at| is_open(Unit::Free, at)));
+            let both = other.and_then(|at| Some((at, self.single(k).joined(&self.single(at))?)));
+            if let Some((at, both)) = both {
+                stones.insert(at, both);
+                self.states[at] = Unit::Partly;
+            } else {
+                stones.insert(k, self.single(k));
+            }
+        }
+        for k in self.all(Unit::Partly) {
+            stones.entry(k).or_insert_with(|| self.single(k));
+        }
+        stones.into_values().collect()
     }
 
     /// The free units in nearly the order of rows.
