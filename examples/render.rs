@@ -40,7 +40,7 @@ mod native;
 use bubblestone::{
     generators::ALL,
     generators::pavement::{self, Pavement},
-    notice::Notice,
+    notice::{Arg, Code, Notice},
     studio::Studio,
 };
 #[cfg(not(target_arch = "wasm32"))]
@@ -114,6 +114,7 @@ fn open(options: &Options) -> Result<(Studio, Vec<Notice>), String> {
     for path in &options.models {
         notices.extend(native::model::open_model(&mut studio, path)?);
     }
+    notices.retain(|notice| !has_given(&studio, notice));
     // Refused before the work, not after it.
     let wants_maps = [
         ("--maps", options.maps),
@@ -125,6 +126,18 @@ fn open(options: &Options) -> Result<(Studio, Vec<Notice>), String> {
         return Err(format!("{option} is for pavements only."));
     }
     Ok((studio, notices))
+}
+
+/// Whether a notice says that a choice lacks its file, and the recipe has got that file since.
+#[cfg(not(target_arch = "wasm32"))]
+fn has_given(studio: &Studio, notice: &Notice) -> bool {
+    let arg = |name: &str| notice.args.iter().find(|arg| arg.0 == name);
+    let chosen = arg("is").map(|arg| &arg.1);
+    let is_set = |chosen: &Arg| match chosen {
+        Arg::Choice { key, word, .. } => studio.recipe().get(key) == *word,
+        _ => false,
+    };
+    notice.code == Code::PointsMissing && chosen.is_some_and(is_set)
 }
 
 /// Writes the files that options ask for beside those that are always written.
