@@ -13,7 +13,7 @@ import { at, circle, line, svg, symbol, text, unit } from './plate';
 
 /** The radius of an angle's sector, and how far beyond the corner its number stands. */
 const SECTOR = 40;
-const NAMED = 18;
+const NAMED = 21;
 
 /** The width reserved for the text, in units of the drawing. */
 const EDGE = 66;

@@ -70,9 +70,10 @@ function chords(x: number, y: number, r: number): string {
 
 const hatching = ({ x, y, size }: PackedCell): string => chords(x * SIDE, y * SIDE, (size / 2) * SIDE);
 
-/** The sign of a cell that goes. */
+/** The sign of a cell that goes. A wider one in the plate's colour below it parts it from the lines of crowded cells. */
 export function cross(x: number, y: number, arm = ARM): string {
-  return `<path class="sign goes" d="M${at(x - arm)} ${at(y - arm)}l${2 * arm} ${2 * arm}m0 ${-2 * arm}l${-2 * arm} ${2 * arm}"/>`;
+  const d = `M${at(x - arm)} ${at(y - arm)}l${2 * arm} ${2 * arm}m0 ${-2 * arm}l${-2 * arm} ${2 * arm}`;
+  return `<path class="sign-back" d="${d}"/><path class="sign goes" d="${d}"/>`;
 }
 
 /** The sign of a cell that comes. */
@@ -84,11 +85,11 @@ export function plus(x: number, y: number, arm = ARM + 1, kind = ''): string {
 function legend({ language }: View): string {
   const y = BELOW + 10;
   const dot = (x: number, kind: string): string => circle([x, y], 7, kind);
-  const words = (x: number, en: string, ja: string): string => text(x, y + 4, language === 'ja' ? ja : en, 'number', 'start');
-  const crowded = `${dot(22, 'bubble crowded')}${chords(22, y, 7)}${words(34, 'crowded', '過密')}`;
-  const goes = `${cross(112, y, 5)}${words(124, 'goes next', '次に去る')}`;
-  const comes = `${dot(206, 'empty small')}${plus(206, y, 3, ' small')}${words(218, 'comes next', '次に増える')}`;
-  const came = `${dot(308, 'bubble fresh small')}${plus(308, y, 3, ' small')}${words(320, 'just came', '今増えた')}`;
+  const words = (x: number, en: string, ja: string): string => text(x, y + 4, language === 'ja' ? ja : en, 'number sign-name', 'start');
+  const crowded = `${dot(14, 'bubble crowded')}${chords(14, y, 7)}${words(25, 'crowded', '過密')}`;
+  const goes = `${cross(104, y, 5)}${words(114, 'goes next', '次に去る')}`;
+  const comes = `${dot(199, 'empty small')}${plus(199, y, 3, ' small')}${words(210, 'comes next', '次に増える')}`;
+  const came = `${dot(309, 'bubble fresh small')}${plus(309, y, 3, ' small')}${words(320, 'just came', '今増えた')}`;
   return `${crowded}${goes}${comes}${came}`;
 }
 

@@ -38,13 +38,13 @@ function axes({ language }: View): string {
   const across = [0, 0.5, 1, 1.5, 2].map((w) => `${line([X(w), BOTTOM], [X(w), BOTTOM + 4], 'tick')}${text(X(w), BOTTOM + 16, String(w), 'number')}`);
   const up = MARKS.map((value) => `${line([X(0), Y(value)], [X(END), Y(value)], value ? 'grid' : 'axis')}${text(X(0) - 6, Y(value) + 4, number(value, 2), 'number', 'end')}`);
   const touch = `${line([X(1), TOP - 12], [X(1), BOTTOM], 'stable')}${text(X(1) + 5, TOP - 4, language === 'ja' ? '辺と辺が接する' : 'edges touch', 'number', 'start')}`;
-  return `${up.join('')}${across.join('')}${touch}${text(X(0) - 6, TOP - 14, symbol('psi', 'Ψ'), 'curve-name', 'end')}${text(X(END) + 12, BOTTOM + 16, symbol('w', 'w'), 'number', 'middle')}`;
+  return `${up.join('')}${across.join('')}${touch}${text(X(0) - 6, TOP - 14, symbol('psi', 'Ψ'), 'curve-name', 'end')}${text(X(END) + 16, BOTTOM + 16, symbol('w', 'w'), 'number', 'middle')}`;
 }
 
 /** The names of the two lines, with a piece of each. */
 function names({ language }: View): string {
   const rows = language === 'ja' ? ['辺の真ん中の先', '角の先（45°）'] : ['beyond an edge', 'beyond a corner (45°)'];
-  return rows.map((words, k) => `${line([X(1.16), TOP + 16 + 18 * k], [X(1.3), TOP + 16 + 18 * k], k ? 'curve dashed' : 'curve')}${text(X(1.34), TOP + 20 + 18 * k, words, 'key halo', 'start')}`).join('');
+  return rows.map((words, k) => `${line([X(1.05), TOP + 16 + 18 * k], [X(1.18), TOP + 16 + 18 * k], k ? 'curve dashed' : 'curve')}${text(X(1.22), TOP + 20 + 18 * k, words, 'key halo', 'start')}`).join('');
 }
 
 /** The well and the pass with their places, and the barrier between them. */

@@ -9,8 +9,8 @@ const [TOP, BOTTOM] = [BELOW + 24, HEIGHT - 24];
 /** Where the names of stops stand. */
 const NAMED = 1.62;
 
-/** The least room between the names of two stops. */
-const APART = 11;
+/** The room between the names of two stops. */
+const APART = 15;
 
 export function track(view: View, packing: number, title: string): string {
   const Y = (step: number): number => TOP + (step / view.last) * (BOTTOM - TOP);
@@ -35,10 +35,13 @@ function scale({ language, last }: View, Y: (step: number) => number): string {
   return `${bands.join('')}${rest}${marks.join('')}${steps.join('')}${name}${text(X(WIDEST) + 2, BOTTOM + 16, symbol('w', 'w'), 'number', 'end')}`;
 }
 
-/** The name of a stop: right of the bands, with a line from its dot, or left of a dot that is there. It lies on the track. */
-function named(x: number, y: number, words: string): string {
+/**
+ * The name of a stop: right of the bands, with a line from its dot, or left of a dot that is there. It lies on the track,
+ * or somewhat lower if another name is near.
+ */
+function named(x: number, y: number, low: number, words: string): string {
   if (x + 8 > X(NAMED) - 5) return text(x - 9, y + 4, words, 'stop-name halo', 'end');
-  return `${line([x + 8, y], [X(NAMED) - 5, y], 'leader')}${text(X(NAMED), y + 4, words, 'stop-name halo', 'start')}`;
+  return `${line([x + 8, y], [X(NAMED) - 5, low], 'leader')}${text(X(NAMED), low + 4, words, 'stop-name halo', 'start')}`;
 }
 
 /** The stops that have been passed, except one at the last step: on the track, with their names where there is room. */
@@ -49,9 +52,10 @@ function stops(view: View, packing: number, Y: (step: number) => number): string
     .map(({ name, step }) => {
       const w = view.traces[packing]?.moments[step]?.w ?? 0;
       const dot = circle([X(Math.min(w, WIDEST)), Y(step)], 3, 'stop');
-      if (packing > 0 || Y(step) < free + APART) return packing > 0 ? '' : dot;
-      free = Y(step);
-      return `${dot}${named(X(Math.min(w, WIDEST)), Y(step), pick(name, view.language))}`;
+      const low = Math.max(Y(step), free + APART);
+      if (packing > 0 || low > Y(step) + APART) return packing > 0 ? '' : dot;
+      free = low;
+      return `${dot}${named(X(Math.min(w, WIDEST)), Y(step), low, pick(name, view.language))}`;
     })
     .join('');
 }
