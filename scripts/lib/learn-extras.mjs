@@ -109,7 +109,7 @@ export function sheetPage(site, language, chapter) {
     const boxes = answers.map(({ value, text: answer }) => `<li><span class="box" aria-hidden="true"></span>${value}. ${text(answer)}</li>`);
     const guess = boxes.length ? `<ul class="boxes">${boxes.join('')}</ul>` : `<p class="fill">${blanks.map((words) => `${text(words)} <span class="blank"></span>`).join(' ')}</p>`;
     // The heading and the text of a wrong idea tell its answer; its question is a sentence of its own.
-    const [title = words, more] = ask ? [ask] : heading ? [heading, words] : [];
+    const [title, more] = ask ? [undefined, ask] : [heading, words];
     // A picture of something else is left out.
     const hasPicture = !pictured.has(figure) && site.draw.answers(figure, key, language).length > 0;
     if (hasPicture) pictured.add(figure);

@@ -300,6 +300,23 @@ test('on paper a chapter has every figure and every answer, and no handles', sam
 /** The parts of an A4 page that print has, in pixels: 10 mm are left free on each side. */
 const A4 = { width: 718, height: 1047 };
 
+/**
+ * Words in plates that are cut, or smaller on paper than 6.5 points. Indices may be smaller. Runs in the page.
+ * @param {Element[]} plates
+ */
+function badLetters(plates) {
+  return plates.flatMap((plate) => {
+    const { left, right, top, bottom, width } = plate.getBoundingClientRect();
+    const shown = [...plate.querySelectorAll('text')].filter((text) => text.checkVisibility());
+    return shown.flatMap((text) => {
+      const own = text.getBoundingClientRect();
+      const points = ((parseFloat(getComputedStyle(text).fontSize) * width) / 400) * 0.75;
+      const isWhole = own.left > left - 1 && own.right < right + 1 && own.top > top - 1 && own.bottom < bottom + 1;
+      return isWhole && points > 6.5 ? [] : [`${text.textContent}: ${points.toFixed(1)} pt, ${[own.left - left, right - own.right, own.top - top, bottom - own.bottom].map(Math.round)}`];
+    });
+  });
+}
+
 test('on the sheets to print each question has its sentence, its pictures and its lines, and no page cuts it', sameEverywhere, async () => {
   for (const { name, blocks } of chapters) {
     for (const language of ['en', 'ja']) {
@@ -316,6 +333,7 @@ test('on the sheets to print each question has its sentence, its pictures and it
           breaks: getComputedStyle(one).breakInside,
         })),
       );
+      assert.deepEqual(await page.$$eval('svg.plate', badLetters), [], `${name} ${language}`);
       const asked = blocks.filter((block) => block.key && block.kind !== 'exercise');
       assert.equal(seen.length, asked.length);
       for (const [at, { height, text, answers, blanks, lines, breaks }] of seen.entries()) {
