@@ -97,8 +97,8 @@ export const manyBubbles = {
       heading: { en: 'Why', ja: 'なぜ' },
       parts: [
         {
-          en: 'Nothing is new in the force. Bubble $i$ takes that of chapter 1 from each neighbour, along the line from its centre, and adds:',
-          ja: '力そのものは第1章と同じです。バブル$i$は、隣のそれぞれから中心を結ぶ線に沿って力を受け、それを足し合わせます。',
+          en: 'Nothing is new in the force. Bubble $i$ takes that of chapter 1 from each neighbour $j$, along the arrow $nij$ of length 1 that points away from it, and adds:',
+          ja: '力そのものは第1章と同じです。バブル$i$は、隣のバブル$j$のそれぞれから力を受け、それを足し合わせます。$nij$は$j$から$i$へ向かう、長さ1の矢印です。',
         },
         {
           equation: 'a',
@@ -109,8 +109,8 @@ export const manyBubbles = {
           },
         },
         {
-          en: 'All terms beyond 1.5 are 0. A few neighbours are left, so twice as many bubbles make twice the work, not four times. The sum moves the bubble, by the equation of chapter 1, now one for each:',
-          ja: '1.5より遠い項はすべて0です。残るのは数個の隣だけなので、バブルが二倍でも計算は四倍でなく二倍ですみます。この和が、第1章の運動方程式に従って、それぞれのバブルを動かします。',
+          en: 'All terms beyond 1.5 are 0. A few neighbours are left, and walls, which add their terms. So twice as many bubbles make twice the work, not four times. The sum moves the bubble, by the equation of chapter 1, now one for each:',
+          ja: '1.5より遠い項はすべて0です。残るのは数個の隣と、近くの壁からの力だけなので、バブルが二倍でも計算は四倍でなく二倍ですみます。この和が、第1章の運動方程式に従って、それぞれのバブルを動かします。',
         },
         {
           equation: '5',
@@ -149,7 +149,7 @@ export const manyBubbles = {
       heading: { en: 'Not so: “the program finds the best packing”', ja: '「プログラムは最良の充填を見つける」のではありません' },
       text: {
         en: 'There are many valleys, and the crowd stops in the first. To find the deepest, one would have to know them all; other methods search for hours. The paper of 2001 says it plainly: a local minimum is enough, since the impression hardly differs, and it is there after 30 to 200 [[iteration|iterations]]. Find a better one by hand.',
-        ja: '谷はたくさんあり、群れは最初に行き着いた谷で止まります。最も深い谷を知るには、すべての谷を調べなければなりません。何時間もかける手法もあります。2001年の論文は、石畳には極小解で十分だとはっきり述べています。見た目の印象は変わらず、30〜200回の[[iteration|反復計算]]で得られるからです。もっと良い谷を、手で探してみてください。',
+        ja: '谷はたくさんあり、群れは最初に行き着いた谷で止まります。最も深い谷を知るには、すべての谷を調べなければなりません。何時間もかける手法もあります。2001年の論文は、石畳には極小解で十分だとはっきり述べています。見た目の印象に大差はなく、30〜200回の[[iteration|反復計算]]で得られるからです。もっと良い谷を、手で探してみてください。',
       },
       ask: { en: 'Is the packing in the figure the best one?', ja: '図の充填は最良でしょうか。' },
       answers: [

@@ -69,7 +69,7 @@ export const twoBubbles = {
         ja: 'バブルは、まわりに[[force|力]]を及ぼす点です。円は、そのバブルの求める広さを表します。二つの間の距離$w$は、円が触れ合うときに$w = 1$となるように測ります。片方を動かして、矢印を見てください。',
       },
       caption: {
-        en: 'Two bubbles and the force on each; below them the force over the distance $w$, then the [[potential]], an energy. The dot is this pair. Forces are in units of $k0 / l0$, energies in $k0$, both at [[stiffness]] 1, as explained below.',
+        en: 'Two bubbles and the force on each; below them the force over the distance $w$, then the [[potential]], an energy. The dot is this pair. Forces are in units of $k0 / l0$, energies in $k0$, both as they are at [[stiffness]] 1. These signs are explained below.',
         ja: '二つのバブルと、それぞれに働く力。下は距離$w$に対する力、次は[[potential|ポテンシャル]]（エネルギー）。丸い印がこの対の位置です。力の単位は$k0 / l0$、エネルギーの単位は$k0$（[[stiffness|ばね定数]]が1のときの値）で、意味は後の本文で説明します。',
       },
     },
@@ -192,8 +192,8 @@ export const twoBubbles = {
           ja: '論文では(3)のかっこの前が$k0 / l0$です。仕事は力に長さをかけたものなので、ここでは$k0$としました。',
         },
         {
-          en: 'The papers solve (5) by Runge–Kutta. Ours uses semi-implicit Euler: a quarter of the work, the same rest.',
-          ja: '論文は(5)をルンゲ・クッタ法で解きます。本プログラムは半陰的オイラー法を使い、四分の一の計算で同じ静止状態に達します。',
+          en: 'The papers solve (5) by Runge–Kutta. Ours uses semi-implicit Euler: a quarter of the work, and bubbles come to rest as well.',
+          ja: '論文は(5)をルンゲ・クッタ法で解きます。本プログラムは半陰的オイラー法を使い、四分の一の計算で、同じように静止します。',
         },
       ],
     },
