@@ -2,7 +2,7 @@
 
 export const howManyGuide = {
   aims: [
-    { en: 'Say from the smallest w of a cell whether it is crowded, lonely, or neither.', ja: 'セルのwの最小値から、混みすぎか、孤立しているか、どちらでもないかを言える。' },
+    { en: 'Say from the smallest w of a cell whether it is crowded, lonely, or neither.', ja: 'セルのwの最小値から、過密か、孤立しているか、どちらでもないかを言える。' },
     { en: 'Explain why a rule that looks at cells misses a hole, and one that looks at places finds it.', ja: 'セルを見る規則が穴を見落とし、場所を見る規則が見つける理由を説明できる。' },
     { en: 'Tell why two thresholds need a distance from each other, as with a heater’s switch.', ja: '二つのしきい値の間に余裕が要ることを、暖房のスイッチのように説明できる。' },
   ],
@@ -77,7 +77,7 @@ export const howManyGuide = {
   ],
   wrong: [
     { en: 'Pupils say “the hole is far from its neighbours”. Ask whom the rule asks: cells, or places.', ja: '「穴は隣から遠い」と言う。規則が調べるのはセルか、場所かを問う。' },
-    { en: 'Crowded is read as “many around”. It means one that is too near.', ja: '「混みすぎ」を「まわりに多い」と読む。近すぎる相手が一つあることである。' },
+    { en: 'Crowded is read as “many around”. It means one that is too near.', ja: '「過密」を「まわりに多い」と読む。近すぎる相手が一つあることである。' },
     { en: 'A run that is stopped too early looks at rest. Looks end at step 100: go on to there.', ja: '早く止めると静止して見える。調査は100ステップまで続くので、そこまで進める。' },
     { en: 'Several handles are moved at once. Let each group change one only.', ja: '一度にいくつもの値を変える。班ごとに一つだけ変えさせる。' },
   ],

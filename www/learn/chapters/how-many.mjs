@@ -25,7 +25,7 @@ export const howMany = {
       },
       caption: {
         en: 'Too few at the start, and too many. The [[crowded]] ones go, an [[empty-place|empty place]] is filled. Below: who came and who went.',
-        ja: '初めの個数が少なすぎる場合と、多すぎる場合。[[crowded|混みすぎた]]ものは去り、[[empty-place|空いた場所]]は埋まります。下は、増減の記録です。',
+        ja: '初めの個数が少なすぎる場合と、多すぎる場合。[[crowded|過密]]なものは去り、[[empty-place|空いた場所]]は埋まります。下は、増減の記録です。',
       },
       answers: [
         {

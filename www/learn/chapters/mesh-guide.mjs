@@ -63,7 +63,7 @@ export const meshGuide = {
     },
     {
       question: { en: 'When does an edge flip?', ja: '辺はいつ入れ替わるか' },
-      right: { en: 'b. When all four corners lie on one circle. In the figure the new edge can be the longer one.', ja: 'b。四つの頂点が一つの円に乗ったとき。図では、新しい辺のほうが長いこともある。' },
+      right: { en: 'b. When all four corners lie on one circle. In the figure the new edge can be the longer one.', ja: 'b。四つの頂点が一つの円周上に並んだとき。図では、新しい辺のほうが長いこともある。' },
       thoughts: [
         [{ en: 'a, when the other is shorter:', ja: 'a（短くなったとき）：' }, { en: 'takes near points for neighbours, and compares the two diagonals alone.', ja: '近い点どうしを結ぶのが良いと考え、二本の長さだけを比べている。' }],
         [{ en: 'c, when a point runs into an edge:', ja: 'c（ぶつかったとき）：' }, { en: 'thinks that the mesh changes only when it must.', ja: 'やむを得ないときだけ変わると考えている。' }],

@@ -24,8 +24,8 @@ export const mesh = {
         ja: '円いバブルの群れが静止しました。力の及ぶ二つ、つまり$w = 1.5$より近いものどうしを、すべて線で結びます。線が交わることはあるでしょうか。',
       },
       caption: {
-        en: 'Bubbles at rest, the [[mesh]] of their centres, and its [[dual]]: around each bubble a cell, with one corner in each triangle.',
-        ja: '静止したバブルと、中心を結んだ[[mesh|メッシュ]]、そして[[dual|双対]]。三角形ごとに角を一つ置くと、バブルのまわりにセルができます。',
+        en: 'Bubbles at rest; the [[mesh]] of their centres, joined to triangles without overlap; and its [[dual]]: around each bubble a cell, with one corner in each triangle.',
+        ja: '静止したバブルと、中心を結んで三角形で埋めた[[mesh|メッシュ]]、そして[[dual|双対]]。三角形ごとに角を一つ置くと、バブルのまわりにセルができます。',
       },
       answers: [
         {
@@ -60,7 +60,7 @@ export const mesh = {
       figure: 'three',
       heading: { en: 'Three ways to place points', ja: '点の三通りの置き方' },
       text: {
-        en: 'The same outline and the same number of points three times, joined by the same rule. The first are thrown at random. The second are evened out by [[lloyd|Lloyd’s rounds]]: in each, every point moves to the centre of its [[voronoi|Voronoi cell]], all places that are nearer to it than to any other. The third are bubbles.',
+        en: 'The same outline and the same number of points three times, joined by the same rule. The first are thrown at random. The second are evened out by [[lloyd|Lloyd’s rounds]]: in each, every point moves to the centre of gravity of its [[voronoi|Voronoi cell]], all places that are nearer to it than to any other. The third are bubbles.',
         ja: '同じ輪郭に、同じ数の点を置き、同じ規則で結びます。一つ目はランダムに置いたまま。二つ目は[[lloyd|ロイド法]]でならしたもので、一回ごとに、どの点も自分の[[voronoi|ボロノイ領域]]（ほかのどの点より自分に近い範囲）の重心へ動きます。三つ目はバブルです。',
       },
       caption: {
@@ -89,7 +89,7 @@ export const mesh = {
       },
       answers: [
         { value: 'a', text: { en: 'When the other diagonal is the shorter one', ja: 'もう一方の対角線のほうが短くなったとき' } },
-        { value: 'b', text: { en: 'When all four corners lie on one circle', ja: '四つの頂点が一つの円に乗ったとき' }, right: true },
+        { value: 'b', text: { en: 'When all four corners lie on one circle', ja: '四つの頂点が一つの円周上に並んだとき' }, right: true },
         { value: 'c', text: { en: 'When a point runs into an edge', ja: '点が辺にぶつかったとき' } },
       ],
       caption: {
@@ -112,7 +112,7 @@ export const mesh = {
         },
         {
           en: 'With all four corners on one circle the sum is 180°, and both diagonals are right. A little farther, only the other one is. Lengths do not decide. Among all ways to join given points, this one has the largest smallest angle. How large can that be? In a triangle with the shortest side $s$ and a circle of radius $R$ the smallest angle $gamma$ faces $s$, so',
-          ja: '四つの頂点が一つの円に乗れば和は180°で、どちらの対角線でもかまいません。その先では、もう一方に替わります。長さは関係ありません。与えられた点の結び方のうち、最も小さい角が最も大きくなるのが、この規則です。では、どこまで大きくなるのでしょう。最も短い辺を$s$、外接円の半径を$R$とすると、最小角$gamma$は$s$に向かい合うので、次の式が成り立ちます。',
+          ja: '四つの頂点が一つの円周上に並べば和は180°で、どちらの対角線でもかまいません。その先では、もう一方に替わります。長さは関係ありません。与えられた点の結び方のうち、最も小さい角が最も大きくなるのが、この規則です。では、どこまで大きくなるのでしょう。最も短い辺を$s$、外接円の半径を$R$とすると、最小角$gamma$は$s$に向かい合うので、次の式が成り立ちます。',
         },
         {
           equation: 'b',

@@ -15,7 +15,7 @@ export const meshTerms = [
   {
     key: 'lloyd', chapter: 'mesh',
     name: { en: 'Lloyd’s rounds (relaxation)', ja: 'ロイド法' },
-    text: { en: 'Every point moves to the centre of its Voronoi cell; then again, and again. It evens points out.', ja: 'どの点も自分のボロノイ領域の重心へ動かす、をくり返す方法。点の配置が均等になっていく。' },
+    text: { en: 'Every point moves to the centre of gravity of its Voronoi cell; then again, and again. It evens points out.', ja: 'どの点も自分のボロノイ領域の重心へ動かす、をくり返す方法。点の配置が均等になっていく。' },
   },
   {
     key: 'voronoi', chapter: 'mesh',

@@ -77,7 +77,7 @@ const all = [
   {
     key: 'runge-kutta', chapter: 'two-bubbles',
     name: { en: 'Runge–Kutta (fourth order)', ja: 'ルンゲ・クッタ法（4次）' },
-    text: { en: 'A step that looks at the force four times: at its start, twice in its middle, at its end. The papers use it.', ja: '刻みの初め、途中で二度、終わりの計四回、力を求めて進む方法。論文で使われている。' },
+    text: { en: 'A step that looks at the force four times: at its start, twice in its middle, at its end. The papers use it.', ja: '刻みの初めに一度、真ん中で二度、終わりに一度、計四回力を求めて進む方法。論文で使われている。' },
   },
   {
     key: 'neighbour', symbol: 'w', chapter: 'many-bubbles',
@@ -158,7 +158,7 @@ const all = [
   {
     key: 'barrier', chapter: 'squares',
     name: { en: 'barrier', ja: '障壁' },
-    text: { en: 'How much the lowest way from one well to the next rises above the well.', ja: '一つの井戸から次の井戸へ移る道のうち最も低い峠を、井戸の底から測った高さ。' },
+    text: { en: 'How much the lowest way from one well to the next rises above the well.', ja: '一つの井戸から次の井戸へ移るときに越える、最も低い峠の高さ。井戸の底から測る。' },
   },
   ...wayTerms,
   {

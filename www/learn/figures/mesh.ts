@@ -120,7 +120,7 @@ const flip: Ask = {
   key: 'flip',
   answers: {
     a: { en: 'it flips when the other diagonal is the shorter one', ja: 'もう一方の対角線のほうが短くなったとき' },
-    b: { en: 'it flips when all four corners lie on one circle', ja: '四つの頂点が一つの円に乗ったとき' },
+    b: { en: 'it flips when all four corners lie on one circle', ja: '四つの頂点が一つの円周上に並んだとき' },
     c: { en: 'it flips when a point runs into an edge', ja: '点が辺にぶつかったとき' },
   },
   ...sentence<[sum: string, was: string, is: string, isLonger: boolean]>(
