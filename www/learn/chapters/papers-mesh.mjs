@@ -45,13 +45,13 @@ export const meshDifferences = [
   },
   {
     key: 'no-voronoi', chapter: 'mesh',
-    heading: { en: 'Why not random points, evened out?', ja: 'なぜボロノイ分割ではないのか' },
+    heading: { en: 'Why not Voronoi cells?', ja: 'なぜボロノイ分割ではないのか' },
     from: { en: `${PAVEMENTS.en}2.1; ${JAPANESE.en}2.1`, ja: `${PAVEMENTS.ja}2.1節。${JAPANESE.ja}2.1節` },
     printed: { text: { en: 'With the Voronoi diagram “it is difficult to align each divided subarea”; it is isotropic in general, and for isotropic stones it may take the place of the packing.', ja: '「一般に等方的な分割パターンの生成となり」、目的を満たさない。等方的な石畳なら、充填の代わりに使える。' } },
     ours: { text: { en: 'The packing. Voronoi cells of random points are there to compare, plain or evened out by Lloyd’s rounds (cells=voronoi, cells=lloyd).', ja: '充填を使います。比較のため、ランダムな点のボロノイ領域と、それをロイド法でならしたものも作れます（cells=voronoi、cells=lloyd）。' } },
     note: {
-      en: 'Lloyd’s rounds make good triangles in the end, too, by many small steps. But a point that moves to the centre of its cell knows no direction, so no rows come of it.',
-      ja: 'ロイド法も、少しずつ回数を重ねれば良い三角形になります。しかし、領域の中心へ動く点に向きはなく、列は生まれません。',
+      en: 'Lloyd’s rounds make good triangles in the end, too, by many small steps. But a point that moves to the centre of gravity of its cell knows no direction, so no rows come of it.',
+      ja: 'ロイド法も、少しずつ回数を重ねれば良い三角形になります。しかし、領域の重心へ動く点に向きはなく、列は生まれません。',
     },
     see: { figure: 'three', words: { en: 'Three ways to place points', ja: '点の三通りの置き方' } },
   },
