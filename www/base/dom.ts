@@ -40,9 +40,18 @@ export function walkByArrows(toolbar: HTMLElement): void {
   });
 }
 
-/** Closes a dialog by a click outside its content. The backdrop counts as the dialog itself. */
+/**
+ * Closes a dialog by a press and a release beside it. Events on the backdrop have the dialog as their target, and so do those
+ * on the dialog's own margins and gaps, where a finger may miss a button, and those of a drag that ends there.
+ */
 export function closeFromBeside(dialog: HTMLDialogElement): void {
-  dialog.addEventListener('click', ({ target }) => target === dialog && dialog.close());
+  const isBeside = ({ target, clientX, clientY }: MouseEvent): boolean => {
+    const { left, right, top, bottom } = dialog.getBoundingClientRect();
+    return target === dialog && (clientX < left || clientX > right || clientY < top || clientY > bottom);
+  };
+  let began = false;
+  dialog.addEventListener('pointerdown', (event) => (began = isBeside(event)));
+  dialog.addEventListener('click', (event) => began && isBeside(event) && dialog.close());
 }
 
 /** Whether an element is laid out: neither it nor an ancestor is hidden. */
