@@ -155,6 +155,31 @@ test('an outline is pasted, and other text is not', async () => {
   await close();
 });
 
+test('a text that was refused stands in the dialog when it is opened again, and is gone once it was taken', sameEverywhere, async () => {
+  const { page, close } = await site.newPage(SQUARE);
+  await digest(page);
+  const asked = async () => {
+    await click(page, '[data-tool=import]');
+    return page.$eval('#outline-text', (box) => box.value);
+  };
+  const use = async (text) => {
+    await page.$eval('#outline-text', (box, value) => {
+      box.value = value;
+      box.dispatchEvent(new Event('input'));
+    }, text);
+    await click(page, '#take-text');
+  };
+  assert.equal(await asked(), '');
+  await use('{"outer": [[1, 2], [3]]}');
+  await message(page, 'alert', /point 2 in ring 1.*outline stays/);
+  assert.equal(await asked(), '{"outer": [[1, 2], [3]]}');
+  assert.ok(await page.$eval('#take-text', (button) => !button.disabled));
+  await use('m 2,2 h 8 v 8 h -8 z');
+  await page.waitForFunction(() => window.bubblestone.get('outline') === 'polygon');
+  assert.equal(await asked(), '');
+  await close();
+});
+
 test('what cannot be taken is counted in one sentence', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   await digest(page);

@@ -22,6 +22,9 @@ function button(id: string, text: string, act: () => void): HTMLButtonElement {
   return made;
 }
 
+/** The last text that was refused. It stands in the dialog when this is opened again, to be mended. */
+let refused = '';
+
 export function importDialog(needs: DialogNeeds): void {
   const file = make('input', { type: 'file', id: 'outline-file', accept: '.svg,.json,image/svg+xml,application/json', 'aria-label': t('import_file') });
   const text = make('textarea', { id: 'outline-text', rows: '5', spellcheck: 'false', placeholder: 'M 10 10 H 90 V 90 Z' });
@@ -32,10 +35,12 @@ export function importDialog(needs: DialogNeeds): void {
     if (chosen) needs.takeFile(chosen);
   });
   const use = button('take-text', t('import_use'), () => {
+    const given = text.value;
     dialog.close();
-    void needs.takeText(text.value, t('pasted'));
+    void needs.takeText(given, t('pasted')).then((taken) => (refused = taken ? '' : given));
   });
-  use.disabled = true;
+  text.value = refused;
+  use.disabled = refused === '';
   text.addEventListener('input', () => (use.disabled = text.value.trim() === ''));
   const open = button('choose-file', t('import_open'), () => file.click());
   const close = button('leave-import', t('cancel'), () => dialog.close());
