@@ -45,6 +45,45 @@ async function scanned(page) {
   return jsQR.default(Uint8ClampedArray.from(data), width, height)?.data;
 }
 
+test('a press beside a dialog closes it; one on its own margin does not, nor does a drag that ends beside it', async () => {
+  const { page, close } = await site.newPage(SMALL);
+  await digest(page);
+  await share(page);
+  const { left, top, right } = await page.$eval('#share-dialog', (dialog) => dialog.getBoundingClientRect().toJSON());
+  const isOpen = async () => {
+    await frames(page, 2);
+    return (await page.$('#share-dialog[open]')) !== null;
+  };
+  await page.mouse.click(left + 6, top + 60);
+  assert.ok(await isOpen(), 'a press on the margin');
+  await page.mouse.move(left + 6, top + 60);
+  await page.mouse.down();
+  await page.mouse.move(left - 40, top + 60, { steps: 3 });
+  await page.mouse.up();
+  assert.ok(await isOpen(), 'a drag from the margin to the page');
+  await page.mouse.click(right + 40, top + 60);
+  assert.ok(!(await isOpen()), 'a press beside it');
+  await close();
+});
+
+test('on a low screen the button that closes the dialog is in sight, at its beginning and its end', async () => {
+  const { page, close } = await site.newPage(SMALL, { viewport: { ...phone, width: 844, height: 390 } });
+  await digest(page);
+  await click(page, '#save');
+  await page.waitForSelector('#save-dialog[open]');
+  for (const at of [0, 99_999]) {
+    const lies = await page.$eval('#save-dialog', async (dialog, top) => {
+      dialog.scrollTo(0, top);
+      await new Promise(requestAnimationFrame);
+      const button = dialog.querySelector('[data-close]');
+      const { left, top: upper, right, bottom } = button.getBoundingClientRect();
+      return { in: upper >= 0 && bottom <= innerHeight, free: document.elementFromPoint((left + right) / 2, (upper + bottom) / 2) === button };
+    }, at);
+    assert.deepEqual(lies, { in: true, free: true }, String(at));
+  }
+  await close();
+});
+
 test('the dialog copies the link, tells what it holds, and gives the focus back', async () => {
   const { page, problems, external, close } = await site.newPage(`${SMALL}&seed=7`);
   await digest(page);
