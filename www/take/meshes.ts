@@ -83,6 +83,8 @@ function rounded(count: number): number {
   return Number(count.toPrecision(3));
 }
 
+/** Bytes in megabytes, or in kilobytes if they are few. */
 export function megabytes(bytes: number): string {
-  return `${shown(Number((bytes / 1e6).toPrecision(2)))} MB`;
+  const [unit, name] = bytes < 1e5 ? [1e3, 'kB'] : [1e6, 'MB'];
+  return `${shown(Number((bytes / unit).toPrecision(2)))} ${name}`;
 }
