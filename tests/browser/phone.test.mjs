@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { kind } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { all, click, digest, done, edit, get, inSight, phone, resize, SMALL, steps } from './page.mjs';
+import { all, click, digest, done, edit, frames, get, inSight, phone, resize, SMALL, steps } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -152,6 +152,23 @@ test('no control lies on another one on small screens', async () => {
       await resize(page, { ...phone, ...size });
       assert.deepEqual(await collisions(page), [], `${device}, ${language}`);
     }
+  }
+  await close();
+});
+
+test('letters of double size leave each control its place, and the timeline a slider', async () => {
+  const { page, close } = await site.newPage(SMALL, { viewport: phone, still: true });
+  await done(page);
+  await page.waitForSelector('.timeline input');
+  await page.evaluate(() => document.documentElement.style.setProperty('font-size', '200%'));
+  for (const language of ['en', 'ja']) {
+    await page.select('#language', language);
+    await page.waitForFunction((wanted) => document.documentElement.lang === wanted, {}, language);
+    await frames(page, 2);
+    assert.deepEqual(await collisions(page), [], language);
+    const [slider, transport, name, box] = await places(page, '.timeline input', '.transport', '#p-vs-name', '#p-vs');
+    assert.ok(slider.width > 150 && transport.width <= 390, JSON.stringify([slider, transport]));
+    assert.ok(name.bottom <= box.top + 1 || name.right <= box.left, JSON.stringify([name, box]));
   }
   await close();
 });
