@@ -208,6 +208,21 @@ test('how a stone is made goes forward and back', sameEverywhere, async () => {
   await close();
 });
 
+test('a card that comes under the finger is opened by it, and none of its buttons is pressed', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(BALL, { viewport: { ...phone, width: 844, height: 390 } });
+  await turned(page);
+  const { x, y } = await spot(page, 0.5, 0.5);
+  await page.touchscreen.tap(x, y);
+  await page.waitForSelector('#turn-how', { visible: true });
+  await frames(page, 5);
+  assert.ok(await page.$eval('#turn-how', (button) => button.checkVisibility()), 'the card stays');
+  assert.ok(await page.$eval('.turn-making', (strip) => !strip.checkVisibility()), 'nothing is pressed');
+  await page.tap('#turn-how');
+  await page.waitForSelector('.turn-making', { visible: true });
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test('a finger opens how a stone of a surface is made, and a link opens the same step', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(BALL, { viewport: phone });
   await turned(page);
@@ -232,6 +247,7 @@ test('a finger opens how a stone of a surface is made, and a link opens the same
   await page.waitForSelector('#share-seen');
   await click(page, '#share-seen');
   const shared = await page.$eval('#share-link', (field) => /** @type {HTMLInputElement} */ (field).value);
+  assert.equal(await page.$eval('#share-sees', (line) => line.textContent), 'The link then shows: how one body is made.');
   assert.match(shared, /&body=\d+:1$/);
   await page.keyboard.press('Escape');
   const other = await site.newPage(new URL(shared).hash, { viewport: phone });

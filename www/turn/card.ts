@@ -25,10 +25,15 @@ export class Card {
   private readonly acts: CardActs;
   /** The body that was clicked or picked by a key: its card stays. */
   picked: BodyInfo | undefined;
+  /** Whether a press began on the card that is shown. */
+  private pressed = false;
 
   constructor(acts: CardActs) {
     this.acts = acts;
     this.element.hidden = true;
+    this.element.addEventListener('pointerdown', () => (this.pressed = true));
+    // In a small frame the card may come under the finger that picks the body: the click of that tap is not for its buttons.
+    this.element.addEventListener('click', (event) => !this.pressed && event.detail > 0 && event.stopPropagation(), { capture: true });
     for (const sign of ['click', 'dblclick', 'pointerdown', 'pointermove', 'touchstart']) this.element.addEventListener(sign, (event) => event.stopPropagation());
   }
 
@@ -41,6 +46,7 @@ export class Card {
     this.picked = picked ? body : undefined;
     this.acts.outline(this.picked?.id);
     element.toggleAttribute('data-picked', picked);
+    this.pressed = false;
     const name = called(body, sort);
     element.replaceChildren(make('strong', {}, name), ...cellRows(body.figures, body.words, name));
     if (picked && hasSteps(body, sort)) this.offer('turn-how', t('how'), () => this.acts.how(body));
