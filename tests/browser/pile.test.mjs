@@ -152,6 +152,7 @@ test('a body has a card, and a plane cuts bodies away', sameEverywhere, async ()
   await click(page, '#share');
   await page.waitForSelector('#share-seen');
   await click(page, '#share-seen');
+  assert.match(await page.$eval('#share-sees', (line) => line.textContent ?? ''), /shows: (.+, )?cut open\.$/);
   assert.match(await page.$eval('#share-link', (field) => /** @type {HTMLInputElement} */ (field).value), /&cut=[-\d.]+,[\d.]+,[-\d.]+,-0\.7$/);
   await page.keyboard.press('Escape');
   await click(page, '#turn-cut');

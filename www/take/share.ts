@@ -79,13 +79,15 @@ function asSeen(viewing: Viewing, words: string, follow: (words: string) => void
   return make('div', { class: 'take-choice' }, check, make('label', { for: 'share-seen' }, t('as_seen')), note);
 }
 
-function described({ view = 'auto', overlays = [], pace, step, zoom = WHOLE, camera }: Viewing): string {
+function described({ view = 'auto', overlays = [], pace, step, zoom = WHOLE, camera, cut, body }: Viewing): string {
   const speed = document.querySelector('#speed :checked + span')?.textContent;
   return [
     ...(view === 'auto' && !overlays.length ? [] : [[viewIn(view), ...overlays.map((word) => overlayIn(word)[0])].join(' + ')]),
     ...(pace === undefined ? [] : [speed ? t('sees_speed', { speed }) : t('sees_pace', { n: pace })]),
     ...(step === undefined ? [] : [t('sees_step', { n: step })]),
     ...(camera ? [t('sees_slant')] : []),
+    ...(cut ? [t('sees_cut')] : []),
+    ...(body ? [t('sees_body')] : []),
     ...(zoom.scale > 1 ? [`${Number(zoom.scale.toFixed(1))}×`] : []),
   ].join(t('listed'));
 }
