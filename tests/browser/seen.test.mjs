@@ -62,6 +62,14 @@ test('a link opens at its step, in its view, again when it is loaded anew, and p
   await close();
 });
 
+test('a link to a step comes with its timeline, though nothing is finished', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(`${SMALL}&step=6`);
+  await page.waitForFunction(() => /Step 6/.test(document.querySelector('#timeline output')?.textContent ?? ''));
+  assert.notEqual(await page.evaluate(() => document.documentElement.dataset.stage), 'done');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test('a packing that ends before the step is held at its end, and what cannot be shown is told', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(`${SMALL}&step=9999&view=cells+moon&zoom=40&pace=x`, { viewport: phone });
   await message(page, 'status', /ends after \d+ steps, before step 9999/);

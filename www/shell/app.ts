@@ -122,6 +122,8 @@ export class App {
     await furnish(this);
     const bring = (): void => void this.parts.timeline.load();
     this.store.on(['paused'], bring);
+    // A link to one step may have come to its pause before.
+    if (this.store.state.paused) bring();
     void this.finished.then(bring);
   }
 
