@@ -46,6 +46,7 @@ export class Card {
     this.picked = picked ? body : undefined;
     this.acts.outline(this.picked?.id);
     element.toggleAttribute('data-picked', picked);
+    element.parentElement?.toggleAttribute('data-carded', picked);
     this.pressed = false;
     const name = called(body, sort);
     element.replaceChildren(make('strong', {}, name), ...cellRows(body.figures, body.words, name));
@@ -73,6 +74,7 @@ export class Card {
   }
 
   hide(): void {
+    this.element.parentElement?.removeAttribute('data-carded');
     this.picked = undefined;
     this.acts.outline(undefined);
     this.element.hidden = true;
