@@ -170,8 +170,9 @@ impl BowSearch<'_> {
                 continue;
             }
             for piece in self.joints[k].pieces {
-                members.insert(piece);
-                open.extend(self.of_piece[&piece].iter().copied());
+                if members.insert(piece) {
+                    open.extend(&self.of_piece[&piece]);
+                }
             }
         }
         let free = members.into_iter().filter(|&piece| !self.taken[piece]);
