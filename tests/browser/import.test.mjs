@@ -160,7 +160,8 @@ test('a text that was refused stands in the dialog when it is opened again, and 
   await digest(page);
   const asked = async () => {
     await click(page, '[data-tool=import]');
-    return page.$eval('#outline-text', (box) => box.value);
+    const box = await page.waitForSelector('#outline-text');
+    return box.evaluate(({ value }) => value);
   };
   const use = async (text) => {
     await page.$eval('#outline-text', (box, value) => {

@@ -100,6 +100,8 @@ test('thresholds that cross: it never rests, whichever way they are moved', same
     await boxHas(page, figure, 'room', wanted);
   }
   await page.waitForSelector(`${plate} svg .both`);
+  // The box shows a number before the run with it has begun.
+  await page.waitForFunction((selector) => document.querySelector(selector)?.textContent?.includes('The thresholds cross'), {}, `${figure} .figure-told`);
   await toEnd(page, figure);
   await answered(page, 'never');
   assert.match(await answer(page, 'never'), /It never rests: \d came and \d went at step 10, \d came and \d went at step 20, \d came and \d went at step 30\./);
