@@ -287,6 +287,21 @@ fn a_rounded_arch_does_not_swallow_its_jambs() {
 }
 
 #[test]
+fn sides_are_divided_at_vertices_of_other_polygons() {
+    // A box whose front has two polygons, one above the other, and whose other sides have one.
+    let file = "v 0 0 0\nv 4 0 0\nv 4 0 3\nv 0 0 3\nv 0 2 0\nv 4 2 0\nv 4 2 3\nv 0 2 3\nv 4 1 3.0001\nv 0 1 3\n\
+        f 4 3 9 10\nf 10 9 7 8\nf 3 2 6 7\nf 2 1 5 6\nf 1 4 8 5\nf 8 7 6 5\nf 1 2 3 4\n";
+    let read = obj::read(file.as_bytes()).unwrap();
+    let building = built("box", &read.draft);
+    assert_eq!(building.warnings(), []);
+    assert_eq!((building.faces().len(), building.edges().len()), (6, 12));
+    // A picture on a wall shares a part of its foot, in the same direction: nothing is divided.
+    let file = "v 0 0 0\nv 3 0 0\nv 3 2 0\nv 0 2 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nf 1 2 3 4\nf 5 6 7 8\n";
+    let read = obj::read(file.as_bytes()).unwrap();
+    assert!(read.draft.faces.iter().all(|face| face.loops[0].len() == 4));
+}
+
+#[test]
 fn groups_part_faces_and_name_them() {
     let text = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 0 1 0\n\
         o Wall.001\nf 1 2 5 6\nf 1 1 2\ng Window Sill\nf 2 3 4 5\n";

@@ -47,6 +47,7 @@ pub mod rules;
 mod sides;
 mod sorting;
 mod surface;
+mod t_junctions;
 #[cfg(test)]
 mod tests;
 mod thickening;

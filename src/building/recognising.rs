@@ -2,6 +2,7 @@
 
 use super::fault::BuildingFault;
 use super::polygon_sides::{PlaneRing, clash, left_of_sides, sides};
+use super::t_junctions;
 use crate::modelfiles::PolygonModel;
 use crate::trimesh::polygon;
 use glam::DVec3;
@@ -73,6 +74,7 @@ impl FacetModel {
         if rings.is_empty() {
             return Err(BuildingFault::Empty);
         }
+        t_junctions::divide(&mut rings, &positions);
         let left = left_of_sides(&rings).map_err(|[first, second, from, to]| {
             let vertex = |v: usize| welded.iter().position(|&w| w as usize == v).unwrap_or(v);
             BuildingFault::Polygons {
