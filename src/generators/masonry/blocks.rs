@@ -8,7 +8,7 @@ use super::parts::add_plain;
 use super::rounding::{cast, fewer_steps, is_hewn, stone};
 use super::shapes::{BlockLook, BlockShape, ShapedBlock, SharedBody, WallShapes};
 use super::site::BuildingSite;
-use crate::building::labels::ROOF;
+use crate::building::labels::{GLASS, ROOF};
 use crate::building::{Building, ExtraMesh, FaceId, Mortar};
 use crate::masonry::block::{Bevelled, BlockMesh, Dressing, Polyhedron, Stonecutter};
 use crate::masonry::laying::MasonryCell;
@@ -24,6 +24,8 @@ use std::rc::Rc;
 /// mortar stand out of rounded corners. Below the roughness `ROUNDED` edges are less round, and it falls to 0 with them.
 const SUNK: f64 = 0.022;
 const ROUNDED: f64 = 0.3;
+/// The colour and the material of glass.
+const GLASS_LOOK: ([u8; 3], u8) = ([104, 118, 128], GLASS_ROW);
 /// The colour of a roof's boards.
 const BOARDS: [u8; 3] = [92, 72, 54];
 /// Normals are rounded to steps of one over this; triangles with equal rounded normals share vertices.
@@ -60,7 +62,8 @@ impl Wall {
         let fewer = fewer_steps(params, cells);
         let look = (*params, fewer, site.fit);
         let mut scene = Scene::default();
-        let looks = [(params.colours.mortar(), MORTAR_ROW), (BOARDS, WOOD_ROW)];
+        let mortar = (params.colours.mortar(), MORTAR_ROW);
+        let looks = [mortar, (BOARDS, WOOD_ROW), GLASS_LOOK];
         let recess = mortar_depth(params);
         let widest = widest(&site.building, cells, params.length);
         add_mortar(&mut scene, site, (recess, &widest), looks);
@@ -277,19 +280,30 @@ pub(super) fn widest(building: &Building, cells: &[MasonryCell], length: f64) ->
     widest
 }
 
-/// Adds the mortar, and the boards of roofs, each in one colour and material. `widest` has the length of the widest
+/// Adds the mortar, the boards of roofs, and glass, each in one colour and material. `widest` has the length of the widest
 /// block on each face (metres).
 pub(super) fn add_mortar(
     scene: &mut Scene,
     site: &BuildingSite,
     (recess, widest): (f64, &[f64]),
-    [mortar_look, board_look]: [([u8; 3], u8); 2],
+    looks: [([u8; 3], u8); 3],
 ) {
     let mortar = Mortar::new(&site.building, recess, |face| widest[face.index()]);
-    let is_roof = |face: FaceId| site.building.face(face).has_label(ROOF);
-    for (is_of_roof, (tint, material)) in [(false, mortar_look), (true, board_look)] {
+    // By rule, panes stand before the faces of glass. A building from a file may have the faces alone.
+    let has_extras = !site.building.extras().is_empty();
+    let look_of = |face: FaceId| {
+        let face = site.building.face(face);
+        if face.has_label(ROOF) {
+            1
+        } else if face.has_label(GLASS) && !has_extras {
+            2
+        } else {
+            0
+        }
+    };
+    for (number, (tint, material)) in looks.into_iter().enumerate() {
         let own = mortar.triangles.iter().zip(&mortar.faces);
-        let own = own.filter(|&(_, &face)| is_roof(face) == is_of_roof);
+        let own = own.filter(|&(_, &face)| look_of(face) == number);
         let mesh = BlockMesh {
             positions: mortar.positions.clone(),
             triangles: own.map(|(&triangle, _)| triangle).collect(),
@@ -304,7 +318,7 @@ pub(super) fn add_mortar(
 /// Adds a mesh that carries no masonry, in the colour of its material.
 fn add_extra(scene: &mut Scene, extra: &ExtraMesh, fit: Fit) {
     let (tint, material) = match extra.material.as_str() {
-        "glass" => ([104, 118, 128], GLASS_ROW),
+        "glass" => GLASS_LOOK,
         "iron" => ([62, 62, 66], IRON_ROW),
         "slate" | "tile" => ([92, 94, 100], STONE_ROW),
         "stone" => ([196, 188, 170], STONE_ROW),

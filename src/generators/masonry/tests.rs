@@ -1,5 +1,6 @@
 //! Properties of the generator's table, and of the blocks of buildings by rule.
 
+use super::colours::{GLASS_ROW, MORTAR_ROW};
 use super::params::BuildingParams;
 use super::schema::{FILE, ROWS, keys};
 use super::site::SiteBuild;
@@ -86,8 +87,8 @@ fn every_building_has_a_block_for_each_cell() {
     }
 }
 
-/// The number of cells of a building from this file; or the sentence with which the engine stopped.
-fn laid_file(name: &str, content: &str) -> Result<usize, Notice> {
+/// An engine with a building from this file, up to a stage; or the sentence with which it stopped.
+fn engine_of_file(name: &str, content: &str, stage: usize) -> Result<MasonryEngine, Notice> {
     let file = GivenFile::whole(name, content.as_bytes().to_vec());
     let mut recipe = recipe("make=masonry&pattern=bricks");
     let row = file.named().row();
@@ -97,12 +98,18 @@ fn laid_file(name: &str, content: &str) -> Result<usize, Notice> {
         .expect("a file");
     let mut engine = MasonryEngine::new(&recipe);
     Files::give(&mut engine, file);
-    while engine.at().is_some_and(|at| at < LAYING) {
+    while engine.at().is_some_and(|at| at < stage) {
         if let Some(notice) = engine.failure() {
             return Err(notice.clone());
         }
         engine.advance();
     }
+    Ok(engine)
+}
+
+/// The number of cells of a building from this file; or the sentence with which the engine stopped.
+fn laid_file(name: &str, content: &str) -> Result<usize, Notice> {
+    let engine = engine_of_file(name, content, LAYING)?;
     Ok(engine.made.cells.made().expect("cells").cells().len())
 }
 
@@ -225,6 +232,24 @@ fn buildings_of_files_are_laid_or_refused_with_a_sentence() {
         refused("small.obj", &box_of([0.04; 3])),
         Err(Code::MasonryLarge)
     );
+}
+
+/// Parts of a building's scene, without its blocks, by their rows in the table of materials.
+fn materials_of(content: &str) -> Vec<u8> {
+    let engine = engine_of_file("box.obj", content, LAYING + 1).expect("a building");
+    let wall = engine.made.laid.made().expect("blocks");
+    let parts = wall.instances.iter().filter(|part| part.id == 0);
+    parts
+        .filter_map(|part| Some(part.paint?.material))
+        .collect()
+}
+
+#[test]
+fn faces_of_a_file_that_are_named_glass_look_like_glass() {
+    let walls = box_of([2.0, 1.0, 1.5]);
+    assert_eq!(materials_of(&walls), [MORTAR_ROW]);
+    let front = walls.replace("f 5 6 8 7\n", "g Glass\nf 5 6 8 7\ng Wall\n");
+    assert_eq!(materials_of(&front), [MORTAR_ROW, GLASS_ROW]);
 }
 
 /// The passes that lay cells, in order, each with the number of cells laid up to its end.

@@ -129,7 +129,7 @@ pub(super) fn bare(site: &BuildingSite, blocks: &BlockParams, cells: &[MasonryCe
 
 fn add_bare(scene: &mut Scene, site: &BuildingSite, blocks: &BlockParams, cells: &[MasonryCell]) {
     let widest = widest(&site.building, cells, blocks.length);
-    add_mortar(scene, site, (blocks.recess, &widest), [(CALM, BARE); 2]);
+    add_mortar(scene, site, (blocks.recess, &widest), [(CALM, BARE); 3]);
 }
 
 fn empty(site: &BuildingSite) -> Scene {
