@@ -180,10 +180,22 @@ impl Parameter {
         }
     }
 
-    /// With this key and help text.
-    pub const fn named(mut self, key: Key, help: &'static str) -> Self {
-        (self.key, self.help) = (key, help);
+    /// With this key.
+    pub const fn keyed(mut self, key: Key) -> Self {
+        self.key = key;
         self
+    }
+
+    /// With this help text.
+    pub const fn helped(mut self, help: &'static str) -> Self {
+        self.help = help;
+        self
+    }
+
+    /// As a choice instead of a number, the default first.
+    pub const fn chosen(mut self, choices: &'static [Choice]) -> Self {
+        (self.kind, self.choices) = (Kind::Choice, choices);
+        self.range(0.0, 0.0, 0.0, 0.0)
     }
 
     /// Limits, the control's step, and the default of a number.

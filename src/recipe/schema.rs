@@ -88,9 +88,9 @@ impl Joined {
     }
 }
 
-/// Defines choices from `word: "Label"`.
+/// Defines choices from `word: "Label"`. A word is a name or a whole number.
 macro_rules! choices {
-    ($($word:ident: $label:literal),* $(,)?) => {
+    ($($word:tt: $label:literal),* $(,)?) => {
         &[$($crate::recipe::Choice { word: stringify!($word), label: $label }),*]
     };
 }

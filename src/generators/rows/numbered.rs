@@ -11,16 +11,22 @@ pub(super) const fn rule_row(of: &ShapeNumber, group: &'static str) -> Parameter
         false => number("", of.label),
     };
     row.range(of.least, of.most, of.step, of.default)
+        .helped(of.help)
         .unit(of.unit)
         .group(group)
 }
 
-/// The values of the rows that are shown for one word of a choice only, in the order of the table.
+/// The values of the rows that are shown for one word of a choice only, in the order of the table. Words of choices
+/// among them are numbers.
 pub(crate) fn numbers_of(recipe: &Recipe, choice: Key, word: &str) -> Vec<f64> {
     let is_own = |row: &&Parameter| {
         let of = row.shown_for.filter(|of| of.0 == choice);
         row.kind != Kind::Text && of.is_some_and(|(_, words)| words == [word])
     };
+    let number = |row: &Parameter| match row.kind {
+        Kind::Choice => recipe.choice(row.key).parse().unwrap_or(row.default),
+        _ => recipe.number(row.key),
+    };
     let rows = recipe.schema().rows.iter().filter(is_own);
-    rows.map(|row| recipe.number(row.key)).collect()
+    rows.map(number).collect()
 }

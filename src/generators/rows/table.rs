@@ -17,7 +17,7 @@ macro_rules! rows {
         }
 
         const JOINED: $crate::recipe::schema::Joined = $crate::recipe::schema::Joined::of(
-            &[$($($list)? $(&[$row$(.named(keys::$name, $help))?])?),*],
+            &[$($($list)? $(&[$row$(.keyed(keys::$name).helped($help))?])?),*],
         );
 
         /// The rows, in the order in which links are written.
