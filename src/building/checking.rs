@@ -63,21 +63,41 @@ fn counts(draft: &Draft) -> Result<(), BuildingFault> {
 
 /// Tests that a number is finite and its size at most [`FARTHEST`].
 fn number(path: impl Fn() -> String, value: f64) -> Result<(), BuildingFault> {
-    if value.abs() <= FARTHEST {
-        return Ok(());
+    match beyond(value) {
+        None => Ok(()),
+        Some(found) => Err(BuildingFault::Number {
+            path: path(),
+            found,
+        }),
     }
-    let found = match value.is_finite() {
+}
+
+/// A number that is not finite, or greater than [`FARTHEST`], as text.
+fn beyond(value: f64) -> Option<String> {
+    (value.abs() > FARTHEST || value.is_nan()).then(|| match value.is_finite() {
         true => decimal::text(value),
         false => format!("{value}"),
-    };
-    Err(BuildingFault::Number {
-        path: path(),
-        found,
+    })
+}
+
+/// Tests the vertices of an OBJ file.
+///
+/// # Errors
+/// The first vertex that lies too far away.
+pub(super) fn vertices(all: &[DVec3]) -> Result<(), BuildingFault> {
+    all.iter().enumerate().try_for_each(|(k, place)| {
+        let found = place.to_array().into_iter().find_map(beyond);
+        found.map_or(Ok(()), |found| {
+            Err(BuildingFault::Far {
+                vertex: k + 1,
+                found,
+            })
+        })
     })
 }
 
 /// Tests that the parts of a vector are finite and at most [`FARTHEST`].
-pub(super) fn vector(path: impl Fn() -> String, v: DVec3) -> Result<(), BuildingFault> {
+fn vector(path: impl Fn() -> String, v: DVec3) -> Result<(), BuildingFault> {
     let mut all = v.to_array().into_iter();
     all.try_for_each(|value| number(&path, value))
 }

@@ -50,6 +50,13 @@ pub enum BuildingFault {
         /// The number as text.
         found: String,
     },
+    /// A vertex of an OBJ file has a coordinate that is not finite, or greater than [`FARTHEST`].
+    Far {
+        /// The vertex, counted from 1.
+        vertex: usize,
+        /// The coordinate as text (metres).
+        found: String,
+    },
     /// There are no faces.
     Empty,
     /// There are more than [`MOST_FACES`] faces.

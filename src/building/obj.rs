@@ -2,7 +2,8 @@
 //!
 //! An OBJ file knows neither holes nor arcs, so faces have to be recognised. Polygons of one group that meet in a plane
 //! are a flat face. A chain of at least three flat faces of one group whose joints lie on one circle, at right angles to
-//! its axis, is a curved face. The names of a group are the labels of its faces, and lengths are metres.
+//! its axis, is a curved face. The names of a group are the labels of its faces. A file tells neither its unit nor its
+//! upright axis: [`FileSpace`] does.
 //!
 //! Jambs that are tangent to an arch do not belong to it: each joint has a circle through itself and its two
 //! neighbours, and only joints with the same circle are joined. Places that a file gives to the millimetre, or finer, are
@@ -15,7 +16,7 @@ use super::fault::BuildingFault;
 use super::recognising::{Facet, FacetModel};
 use super::rules::flat_surface;
 use crate::domain::signed_area;
-use crate::modelfiles::PolygonModel;
+use crate::modelfiles::{PolygonModel, upright};
 use glam::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -47,20 +48,49 @@ pub struct Curved {
     pub is_whole: bool,
 }
 
+/// The unit and the upright axis of a file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FileSpace {
+    /// A unit of the file in metres, as a numerator and a denominator: a length in whole millimetres becomes the nearest
+    /// number to its metres.
+    pub unit: [f64; 2],
+    /// Whether the file's z axis points up. If not, its y axis does.
+    pub is_z_up: bool,
+}
+
+impl FileSpace {
+    /// Metres, with y up, as in buildings.
+    pub const METRES: Self = Self {
+        unit: [1.0, 1.0],
+        is_z_up: false,
+    };
+
+    /// A place of the file, in metres with y up.
+    fn in_metres(&self, place: DVec3) -> DVec3 {
+        let [over, under] = self.unit;
+        let place = place * over / under;
+        match self.is_z_up {
+            true => upright(place),
+            false => place,
+        }
+    }
+}
+
 /// Group names that are not labels, in lower case. Endings that programs add, such as `.001`, are cut off first.
 const NO_LABELS: [&str; 4] = ["default", "off", "(null)", "none"];
 
-/// Reads a file.
+/// Reads a file with this unit and this upright axis.
 ///
 /// # Errors
-/// [`BuildingFault::NotObj`] with the line that cannot be read; [`BuildingFault::Number`] with the vertex, counted from
-/// 1, that lies too far away; [`BuildingFault::Polygons`] if two polygons run the same way along a side, as where more
+/// [`BuildingFault::NotObj`] with the line that cannot be read; [`BuildingFault::Far`] with the vertex that lies too
+/// far away; [`BuildingFault::Polygons`] if two polygons run the same way along a side, as where more
 /// than two meet; or [`BuildingFault::Empty`].
-pub fn read(bytes: &[u8]) -> Result<Recognised, BuildingFault> {
-    let model = PolygonModel::read(bytes).map_err(BuildingFault::NotObj)?;
-    for (k, &place) in model.positions.iter().enumerate() {
-        checking::vector(|| format!("v {}", k + 1), place)?;
+pub fn read(bytes: &[u8], space: &FileSpace) -> Result<Recognised, BuildingFault> {
+    let mut model = PolygonModel::read(bytes).map_err(BuildingFault::NotObj)?;
+    for place in &mut model.positions {
+        *place = space.in_metres(*place);
     }
+    checking::vertices(&model.positions)?;
     let mut facets = FacetModel::new(&model)?;
     let bows = bows::bows(&facets);
     for bow in &bows {

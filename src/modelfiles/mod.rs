@@ -29,7 +29,13 @@ pub use obj::PolygonModel;
 
 use crate::notice::{Code, Notice};
 use crate::trimesh::{MOST_TRIANGLES, Soup};
+use glam::DVec3;
 use std::sync::Arc;
+
+/// A place of a file whose z axis points up, with y up.
+pub fn upright(place: DVec3) -> DVec3 {
+    DVec3::new(place.x, place.z, -place.y)
+}
 
 /// Size of a slice: bytes of a text file. Readers of binary STL and GLB read a fixed fraction of this many items.
 const SLICE: usize = 1 << 18;

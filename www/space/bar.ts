@@ -8,7 +8,7 @@ import { t } from '../words/space';
 import { byId, make, say } from '../base/dom';
 import { filesOf } from '../state/rules';
 import type { Work } from '../state/work';
-import { moved, moveOf, uprightOf } from './roles';
+import { moved, moveOf, readingOf } from './roles';
 import { isOther, otherSide, SIDE } from './sides';
 
 export class ModelBar {
@@ -18,6 +18,7 @@ export class ModelBar {
   private readonly side = make('button', { type: 'button', class: 'key', id: 'model-side' }, t('other_side'));
   private readonly move = make('button', { type: 'button', class: 'key', id: 'model-move' });
   private readonly up = make('div', { class: 'segments', role: 'radiogroup', 'aria-label': t('up') });
+  private readonly unit = make('select', { id: 'model-unit' });
   private readonly root: HTMLElement;
   /** The role of the file. */
   private role = '';
@@ -30,8 +31,9 @@ export class ModelBar {
     const another = make('button', { type: 'button', class: 'key', id: 'model-other' }, t('open_another'));
     another.addEventListener('click', () => choose(this.role));
     this.side.addEventListener('click', () => this.turn());
+    this.unit.addEventListener('change', () => work.set(this.unit.name, this.unit.value));
     this.move.addEventListener('click', () => work.open(moved(work.engine.link(), work.engine.schema, this.role), { own: true, then: () => work.store.update({ paused: false }) }));
-    this.root = make('div', { class: 'model', id: 'model', role: 'group', 'aria-label': t('your_model'), hidden: '' }, this.name, this.size, another, this.move, this.side, this.up);
+    this.root = make('div', { class: 'model', id: 'model', role: 'group', 'aria-label': t('your_model'), hidden: '' }, this.name, this.size, another, this.move, this.side, this.unit, this.up);
     byId('makes').append(this.root);
   }
 
@@ -53,7 +55,9 @@ export class ModelBar {
     // Without cells there is no such size.
     this.side.hidden = this.size.hidden = !rows.some(({ key }) => key === SIDE);
     this.offerMove(moveOf(rows, file.role));
-    this.axis(uprightOf(rows, file.role));
+    const { up, unit } = readingOf(rows, file);
+    this.axis(up);
+    this.measured(unit);
   }
 
   private measure(facts: ModelFacts | undefined): void {
@@ -91,6 +95,20 @@ export class ModelBar {
     const radio = make('input', { type: 'radio', name: 'model-up', value: word });
     radio.addEventListener('change', () => this.work.set(key, word));
     return make('label', {}, radio, make('span', {}, t('up_axis', { axis: label })));
+  }
+
+  /** Shows the unit of the file. */
+  private measured(row: Parameter | undefined): void {
+    const { unit } = this;
+    unit.hidden = row === undefined;
+    if (!row) return;
+    // The names are those of the language in force.
+    if (unit.title !== row.help) {
+      [unit.title, unit.name] = [row.help, row.key];
+      unit.setAttribute('aria-label', row.name);
+      unit.replaceChildren(...row.choices.map(({ word, label }) => make('option', { value: word }, label)));
+    }
+    unit.value = this.work.engine.get(row.key);
   }
 
   private turn(): void {

@@ -6,16 +6,19 @@ import { withValues } from '../state/link';
 const COMPONENT = 'file1';
 const SHAPE = 'model';
 
+const JSON_NAME = /\.json$/i;
+
 /** The number of bent versions of components, and other types in a link, which share it with the first one. */
 const VARIANTS = 'variants';
 const OTHER_TYPES = /&c[2-4]=/;
 
-/** The parameters of a file: the one that names it, the choice and word that make it count, and the upright axis. */
+/** The parameters of a file: the one that names it, the choice and word that make it count, the upright axis, and the unit. */
 interface FileRows {
   readonly file: Parameter;
   readonly choice: string;
   readonly word: string;
   readonly up: Parameter | undefined;
+  readonly unit: Parameter | undefined;
 }
 
 /** The word of the button that moves a file away from its role; undefined if no other role can take it. */
@@ -24,9 +27,10 @@ export function moveOf(schema: readonly Parameter[], role: string): 'as_shape' |
   return role === COMPONENT ? 'as_shape' : role === SHAPE ? 'as_component' : undefined;
 }
 
-/** The row of a file's upright axis. */
-export function uprightOf(schema: readonly Parameter[], role: string): Parameter | undefined {
-  return placeOf(schema, role)?.up;
+/** The rows of a file's upright axis and unit. A building in JSON tells both itself. */
+export function readingOf(schema: readonly Parameter[], { role, name }: { role: string; name: string }): Pick<FileRows, 'up' | 'unit'> {
+  const place = JSON_NAME.test(name) ? undefined : placeOf(schema, role);
+  return { up: place?.up, unit: place?.unit };
 }
 
 /** The values that go with a file in a role: a thing of one's own is heaped as it is, not bent, if it is the only component. */
@@ -59,5 +63,6 @@ function placeOf(schema: readonly Parameter[], role: string): FileRows | undefin
   const file = schema.find(({ key, item }) => key === role && item === 'file');
   const [choice, word] = [file?.shownFor?.key, file?.shownFor?.words[0]];
   if (!file || choice === undefined || word === undefined) return undefined;
-  return { file, choice, word, up: schema.find(({ key, shownFor }) => key.startsWith('up') && shownFor?.key === choice) };
+  const row = (start: string): Parameter | undefined => schema.find(({ key, shownFor }) => key.startsWith(start) && shownFor?.key === choice && shownFor.words.includes(word));
+  return { file, choice, word, up: row('up'), unit: row('unit') };
 }

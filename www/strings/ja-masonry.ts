@@ -31,6 +31,8 @@ export const parameters: Foreign['parameters'] = {
   plan: { name: '平面図の角', help: '壁が沿う線の角のxとy（半枚の数、yは手前へ）。壁は線の左に立ちます。最後の角が最初の角と同じなら、線は閉じます。' },
   openings: { name: '開口', help: '壁の開口。壁の番号（1から）、壁に沿った距離、窓台の高さ（0なら門）、幅、高さ、頭の形（0は直線、1は弧、2は半円）。高さは段の数、ほかは半枚の数です。' },
   'masonry.model': { name: 'モデル', help: '建物のファイルの要約値と名前。リンクにファイルそのものは入りません。' },
+  'masonry.unit': { name: 'ファイルの単位', help: 'OBJファイルの長さの単位。JSONの建物には単位が書かれています。', choices: { m: 'メートル', cm: 'センチメートル', mm: 'ミリメートル', ft: 'フィート', in: 'インチ' } },
+  'masonry.up': { name: '上の軸', help: 'OBJファイルの中でどちらが上か。JSONではyです。', choices: { y: 'y軸', z: 'z軸' } },
   'masonry.yaw': { name: '回転', help: '同じ光の下で、建物を縦の軸のまわりに回します。' },
   'masonry.pattern': {
     name: '積み方',

@@ -3,6 +3,7 @@
 use super::MASONRY;
 use super::colours::{Colours, materials};
 use super::schema::keys;
+use crate::building::obj::FileSpace;
 use crate::building::{Building, CornerId, DrawnPlan, EdgeId, Module, Rule};
 use crate::generators::lighting::LightParams;
 use crate::generators::rows::numbered::numbers_of;
@@ -33,6 +34,8 @@ pub(super) struct MasonryParams {
 pub(super) struct BuildingParams {
     /// The rule and its numbers; `None` for a file.
     pub rule: Option<(Rule, Vec<f64>)>,
+    /// The unit and the upright axis of an OBJ file.
+    pub space: FileSpace,
     /// The plan and the openings of [`Rule::Plan`].
     pub plan: DrawnPlan,
     pub module: Module,
@@ -132,7 +135,11 @@ impl MasonryParams {
         Self {
             files: match rule {
                 Some(_) => Vec::new(),
-                None => vec![AskedFile::new(recipe, keys::MODEL, false)],
+                None => vec![AskedFile::new(
+                    recipe,
+                    keys::MODEL,
+                    recipe.choice(keys::UP) == "z",
+                )],
             },
             building: building(recipe, rule, module),
             cells: PatternParams {
@@ -154,6 +161,10 @@ impl MasonryParams {
 fn building(recipe: &Recipe, rule: Option<Rule>, module: Module) -> BuildingParams {
     BuildingParams {
         rule: rule.map(|rule| (rule, numbers_of(recipe, keys::BUILDING, rule.word()))),
+        space: match rule {
+            Some(_) => FileSpace::METRES,
+            None => file_space(recipe),
+        },
         plan: match rule {
             Some(Rule::Plan) => {
                 DrawnPlan::of_rows(recipe.rows(keys::PLAN), recipe.rows(keys::OPENINGS))
@@ -161,6 +172,21 @@ fn building(recipe: &Recipe, rule: Option<Rule>, module: Module) -> BuildingPara
             _ => DrawnPlan::default(),
         },
         module,
+    }
+}
+
+/// The unit and the upright axis of a building's file.
+fn file_space(recipe: &Recipe) -> FileSpace {
+    let unit = match recipe.choice(keys::UNIT) {
+        "cm" => [1.0, 100.0],
+        "mm" => [1.0, 1000.0],
+        "ft" => [381.0, 1250.0],
+        "in" => [127.0, 5000.0],
+        _ => FileSpace::METRES.unit,
+    };
+    FileSpace {
+        unit,
+        is_z_up: recipe.choice(keys::UP) == "z",
     }
 }
 

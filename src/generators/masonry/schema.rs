@@ -64,6 +64,11 @@ rows! {
     model MODEL: "The digest and the name of the building's file: a link does not hold the file itself." =>
         text("Model", Item::File).group("Building").steady()
             .drawn_for(keys::BUILDING, FILE).only_for(keys::BUILDING, &[FILE]);
+    unit UNIT: "The unit of lengths in an OBJ file; a building in JSON has its own." =>
+        choice("Unit of the file", choices![m: "Metres", cm: "Centimetres", mm: "Millimetres", ft: "Feet", in: "Inches"])
+            .group("Building").steady().only_for(keys::BUILDING, &[FILE]);
+    up UP: "Which way is up in an OBJ file; in JSON, y is." =>
+        choice("Upright axis", choices![y: "y", z: "z"]).group("Building").steady().only_for(keys::BUILDING, &[FILE]);
     yaw YAW: "Turns the building about its upright axis, under the same light." =>
         shared::YAW.group("Building");
     size SIZE: "Side of the square picture." => shared::SIZE;

@@ -30,6 +30,9 @@ pub(super) fn unread(fault: &BuildingFault) -> Notice {
         Fault::Number { path, found } => Notice::new(Code::BuildingNumber)
             .with("path", quote_long(path))
             .with("found", quote(found)),
+        Fault::Far { vertex, found } => Notice::new(Code::BuildingFar)
+            .with("vertex", *vertex)
+            .with("found", quote(found)),
         Fault::Empty => Code::BuildingEmpty.into(),
         Fault::TooManyFaces { faces } => counted(Code::BuildingFaces, *faces, MOST_FACES),
         Fault::TooManySides { sides } => counted(Code::BuildingSides, *sides, MOST_SIDES),

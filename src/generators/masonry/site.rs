@@ -3,6 +3,7 @@
 use super::disc::Disc;
 use super::params::BuildingParams;
 use super::{MASONRY, keys, plan_sentences, sentences};
+use crate::building::obj::FileSpace;
 use crate::building::{
     Building, BuildingFault, BuildingMaking, Draft, Face, Rule, Stance, json, obj,
 };
@@ -92,7 +93,7 @@ impl SiteBuild {
                 SiteStep::meshes(rule.draft(&params.module, numbers), None, params)
             }
             (None, Some(bytes)) => {
-                SiteStep::read(bytes).map_err(|fault| sentences::unread(&fault))?
+                SiteStep::read(bytes, &params.space).map_err(|fault| sentences::unread(&fault))?
             }
             (None, None) => return Err(Code::ModelFirst.into()),
         };
@@ -137,12 +138,12 @@ impl SiteBuild {
 
 impl SiteStep {
     /// Reads an OBJ file, or parses a JSON file. Some programs put a byte order mark first.
-    fn read(bytes: &[u8]) -> Result<Self, BuildingFault> {
+    fn read(bytes: &[u8], space: &FileSpace) -> Result<Self, BuildingFault> {
         let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
         let first = bytes.iter().find(|byte| !byte.is_ascii_whitespace());
         match first {
             Some(&JSON) => json::parse(&String::from_utf8_lossy(bytes)).map(Self::Parsed),
-            _ => obj::read(bytes).map(|recognised| Self::Read(recognised.draft)),
+            _ => obj::read(bytes, space).map(|recognised| Self::Read(recognised.draft)),
         }
     }
 

@@ -6,6 +6,7 @@ use super::schema::{FILE, ROWS, keys};
 use super::site::SiteBuild;
 use super::stages::LAYING;
 use super::{MASONRY, MasonryEngine};
+use crate::building::obj::FileSpace;
 use crate::building::{DrawnPlan, Module, Rule};
 use crate::export::{DETAILS, MeshFormat, MeshOrder};
 use crate::generators::{Engine, Files, GivenFile, Meshes, Viewing};
@@ -89,8 +90,18 @@ fn every_building_has_a_block_for_each_cell() {
 
 /// An engine with a building from this file, up to a stage; or the sentence with which it stopped.
 fn engine_of_file(name: &str, content: &str, stage: usize) -> Result<MasonryEngine, Notice> {
+    engine_with_file("make=masonry&pattern=bricks", name, content, stage)
+}
+
+/// An engine with the recipe of a link and the building of a file, up to a stage; or the sentence with which it stopped.
+fn engine_with_file(
+    link: &str,
+    name: &str,
+    content: &str,
+    stage: usize,
+) -> Result<MasonryEngine, Notice> {
     let file = GivenFile::whole(name, content.as_bytes().to_vec());
-    let mut recipe = recipe("make=masonry&pattern=bricks");
+    let mut recipe = recipe(link);
     let row = file.named().row();
     let rules = super::SCHEMA.rules;
     rules
@@ -128,6 +139,7 @@ fn the_module_of_the_sentence_about_too_many_blocks_fits() {
     let site = |module: Module| {
         let params = BuildingParams {
             rule: None,
+            space: FileSpace::METRES,
             plan: DrawnPlan::default(),
             module,
         };
@@ -166,6 +178,49 @@ fn a_file_in_millimetres_is_asked_about_its_unit() {
         "{text}"
     );
     assert!(!text.contains('{'), "{text}");
+}
+
+#[test]
+fn a_building_may_be_in_another_unit_and_on_its_side() {
+    let draft = |link: &str, content: &str| {
+        let engine = engine_with_file(link, "box.obj", content, LAYING).expect("a building");
+        engine.building().expect("a building")
+    };
+    let metres = box_of([3.0, 2.54, 6.096]);
+    let usual = draft("make=masonry&pattern=bricks&building=file", &metres);
+    for (unit, size) in [
+        ("cm", [300.0, 254.0, 609.6]),
+        ("mm", [3000.0, 2540.0, 6096.0]),
+        ("in", [3.0 / 0.0254, 100.0, 240.0]),
+        ("ft", [3.0 / 0.3048, 2.54 / 0.3048, 20.0]),
+    ] {
+        let link = format!("make=masonry&pattern=bricks&building=file&unit={unit}");
+        let own = draft(&link, &box_of(size));
+        let is_exact = unit == "cm" || unit == "mm";
+        assert!(!is_exact || own == usual, "{unit}");
+        let corner = own.contains("2.54") && own.contains("6.096");
+        assert!(corner, "{unit}: {own}");
+    }
+    // Turned by a quarter about x: what was y is z, and z is -y.
+    let lines = metres.lines().map(|line| {
+        let words: Vec<&str> = line.split(' ').collect();
+        match words[0] {
+            "v" => format!("v {} -{} {}\n", words[1], words[3], words[2]),
+            _ => format!("{line}\n"),
+        }
+    });
+    let link = "make=masonry&pattern=bricks&building=file&up=z";
+    assert_eq!(draft(link, &lines.collect::<String>()), usual);
+}
+
+#[test]
+fn a_file_that_is_far_too_large_is_asked_about_its_unit() {
+    let notice = laid_file("mm.obj", &box_of([12_000.0, 2400.0, 3000.5])).expect_err("a sentence");
+    let text = notice.to_string();
+    assert!(
+        text.contains("Vertex 2 ") && text.contains("unit"),
+        "{text}"
+    );
 }
 
 #[test]

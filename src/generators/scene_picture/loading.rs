@@ -3,12 +3,11 @@
 use super::given_files::{AskedFile, GivenFiles};
 use crate::generators::MissingFile;
 use crate::graph::{Inputs, Node, inputs};
-use crate::modelfiles::Reading;
+use crate::modelfiles::{Reading, upright};
 use crate::notice::{Code, Notice, quote};
 use crate::recipe::NamedFile;
 use crate::trimesh::TriMesh;
 use crate::trimesh::repair::MeshRepair;
-use glam::DVec3;
 use std::sync::Arc;
 
 /// The surfaces of files.
@@ -127,7 +126,7 @@ impl Loading {
                     let mut soup = soup?;
                     if asked.is_z_up {
                         for p in &mut soup.positions {
-                            *p = DVec3::new(p.x, p.z, -p.y);
+                            *p = upright(*p);
                         }
                     }
                     self.file = Some(LoadingFile::Mending(Box::new(MeshRepair::new(soup))));

@@ -3,7 +3,7 @@
 use super::{
     CellSort, Feature, Laying, LayingParams, LayingPass, LayingWarning, MasonryCell, Measures, view,
 };
-use crate::building::{Bend, Building, Draft, EdgeId, FaceId, Misfit, Module, Rule};
+use crate::building::{Bend, Building, Draft, EdgeId, FaceId, Misfit, Module, Rule, obj};
 use crate::masonry::module::{ASHLAR, BLOCK};
 use crate::masonry::plan::{FaceGrid, PlanFault, is_wall, thicknesses};
 use crate::masonry::tree::{PRESETS, PatternGenerator, PatternTree, WindowPart};
@@ -379,7 +379,7 @@ fn no_cell_of_a_lid_with_a_circle_for_its_outline_lies_outside_of_the_building()
     let (radius, height) = (1.6, 3.0);
     for is_closed in [false, true] {
         let file = lidded(radius, height, is_closed);
-        let read = crate::building::obj::read(file.as_bytes()).expect("a building");
+        let read = obj::read(file.as_bytes(), &obj::FileSpace::METRES).expect("a building");
         assert!(read.curved.len() == 1 && read.curved[0].is_whole);
         let laying = laid(&read.draft, BRICKS, 1);
         for cell in laying.cells() {

@@ -65,7 +65,9 @@ mod tests {
         };
         text += &list(&mut (1..=corners).rev());
         text += &list(&mut (corners + 1..=2 * corners));
-        let draft = obj::read(text.as_bytes()).expect("a file").draft;
+        let draft = obj::read(text.as_bytes(), &obj::FileSpace::METRES)
+            .expect("a file")
+            .draft;
         Arc::new(Building::new(&draft).expect("a building"))
     }
 
