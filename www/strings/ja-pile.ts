@@ -33,17 +33,38 @@ function ofType(number: number, whose: string): Foreign['parameters'] {
   };
 }
 
-/** The numbers of shapes, by shape. */
-const SHAPES: Record<string, Record<string, string>> = {
-  heap: { height: '幅に対する高さ', round: '頂の丸み', depth: '幅に対する奥行き' },
-  dome: { height: '幅に対する高さ', depth: '幅に対する奥行き' },
-  riceball: { thick: '幅に対する厚み', round: '角の丸み' },
-  block: { height: '幅に対する高さ', depth: '幅に対する奥行き', round: '縁の丸み' },
-  bowl: { depth: '幅に対する内側の深さ', full: '盛り具合' },
-  openbox: { depth: '幅に対する奥行き', height: '幅に対する側面の高さ', full: '盛り具合' },
+/** The numbers of shapes, by shape: the name and the help. */
+const SHAPES: Record<string, Record<string, [name: string, help: string]>> = {
+  heap: {
+    height: ['幅に対する高さ', '頂の高さ。0.1では平らに広がり、0.5では急になります。'],
+    round: ['頂の丸み', '頂とすそを丸めます。0.3ではほとんど円錐で、1ではどこも滑らかです。'],
+    depth: ['幅に対する奥行き', '盛り山を前後に縮めて楕円にします。1では円いすそのままです。'],
+  },
+  dome: {
+    height: ['幅に対する高さ', '丸屋根の高さ。0.5で奥行きが1なら、球の半分です。'],
+    depth: ['幅に対する奥行き', '丸屋根を前後に縮めて楕円にします。1では円いすそのままです。'],
+  },
+  riceball: {
+    thick: ['幅に対する厚み', '前後の厚み。0.3では薄いおむすび、0.65では厚いおむすびです。'],
+    round: ['角の丸み', '三つの角を丸めます。0でははっきりした三角形で、1ではほとんど円です。'],
+  },
+  block: {
+    height: ['幅に対する高さ', '地面から上の面までの高さ。1では幅と同じ高さです。'],
+    depth: ['幅に対する奥行き', '前後の大きさ。1では幅と同じ奥行きです。'],
+    round: ['縁の丸み', '最も短い辺の半分に対する、縁の半径。1では狭い面が半円になります。'],
+  },
+  bowl: {
+    depth: ['幅に対する内側の深さ', '縁から内側の底までの深さ。0.2では浅い皿で、0.5では深い鉢です。'],
+    full: ['盛り具合', '中身の高さ。0では縁より深さの五分の一だけ低く、1では縁の上に盛り上がります。'],
+  },
+  openbox: {
+    depth: ['幅に対する奥行き', '前後の大きさ。1では上から見て正方形の箱です。'],
+    height: ['幅に対する側面の高さ', '箱を囲む板の高さ。中身も一緒に高くなります。'],
+    full: ['盛り具合', '平らな中身の高さ。0では内側の五分の二まで、1では縁まで入ります。'],
+  },
 };
 
-const shapes = Object.entries(SHAPES).flatMap(([shape, rows]) => Object.entries(rows).map(([word, name]) => [`${shape}_${word}`, { name, help: '形を決める数の一つ。' }] as const));
+const shapes = Object.entries(SHAPES).flatMap(([shape, rows]) => Object.entries(rows).map(([word, [name, help]]) => [`${shape}_${word}`, { name, help }] as const));
 
 export const parameters: Foreign['parameters'] = {
   ...ofType(1, ''),
