@@ -10,6 +10,10 @@ const BODIES = ['leg', 'tail', 'fish', 'horn'];
 /** Forms to walk on. */
 const GROUNDS = ['terrain', 'slope', 'stairs'];
 const STONE_PALETTES: Weights = { granite: 2, basalt: 2, sandstone: 2, terracotta: 2, marble: 2, porphyry: 2, slate: 1, mossy: 1, limestone: 2 };
+/** All 26 letters, by their numbers. */
+const LETTERS: Weights = Object.fromEntries(Array.from({ length: 26 }, (_, k) => [String(k + 1), 1]));
+/** All heads of openings, by their numbers. */
+const HEADS: Weights = { '0': 1, '1': 1, '2': 1 };
 
 /** Rows for pavements and for surfaces. Their own rows have priority. */
 const BOTH: Table = {
@@ -215,7 +219,7 @@ const SURFACE: Table = {
     ['vase_shoulder', range(0.42, 0.6, 0.01)],
     ['vase_neck', range(0.34, 0.6, 0.01)],
     ['vase_lip', range(1.1, 1.5, 0.05)],
-    ['letter_letter', range(1, 26, 1)],
+    ['letter_letter', LETTERS],
     ['letter_weight', range(0.16, 0.21, 0.01)],
     ['letter_depth', range(0.2, 0.34, 0.02)],
     ['crease', { fold: 1 }],
@@ -467,14 +471,14 @@ const MASONRY: Table = {
     ['lhouse_depth', range(14, 18, 1)],
     ['lhouse_height', range(30, 40, 1)],
     ['lhouse_windows', range(1, 3, 1)],
-    ['lhouse_head', range(0, 2, 1)],
+    ['lhouse_head', HEADS],
     ['lhouse_pitch', range(38, 50, 1)],
     ['gabled_length', range(38, 56, 1)],
     ['gabled_width', range(26, 36, 1)],
     ['gabled_height', range(28, 40, 1)],
     ['gabled_pitch', range(36, 52, 1)],
     ['gabled_windows', range(1, 3, 1)],
-    ['gabled_head', range(0, 2, 1)],
+    ['gabled_head', HEADS],
     ['wall_length', range(42, 60, 1)],
     ['wall_height', range(24, 32, 1)],
     ['wall_thickness', range(3, 4, 1)],
