@@ -155,17 +155,14 @@ struct BowSearch<'a> {
 }
 
 impl BowSearch<'_> {
-    /// The joints that are connected to one, itself among them, and have its circle by `is_same`; and their pieces that
-    /// are still free, in order.
-    fn connected(
-        &self,
-        first: usize,
-        is_same: impl Fn(&Joint, &Joint) -> bool,
-    ) -> (BTreeSet<usize>, Vec<usize>) {
+    /// The joints that are connected to one, itself among them, and have its circle if places are rounded by a length
+    /// (metres); and their pieces that are still free, in order.
+    fn connected(&self, first: usize, rounded: f64) -> (BTreeSet<usize>, Vec<usize>) {
         let (mut found, mut open) = (BTreeSet::new(), vec![first]);
         let mut members = BTreeSet::new();
         while let Some(k) = open.pop() {
-            let is_own = !self.used[k] && is_same(&self.joints[first], &self.joints[k]);
+            let is_same = is_same_circle(&self.joints[first], &self.joints[k], rounded);
+            let is_own = !self.used[k] && is_same;
             if !is_own || !found.insert(k) {
                 continue;
             }
@@ -184,9 +181,9 @@ impl BowSearch<'_> {
         if self.tried[first] || self.used[first] {
             return None;
         }
-        let (exact, _) = self.connected(first, is_same_circle);
+        let (exact, _) = self.connected(first, 0.0);
         ROUNDED.into_iter().find_map(|by| {
-            let (joints, members) = self.connected(first, |a, b| may_be_same_circle(a, b, by));
+            let (joints, members) = self.connected(first, by);
             let more = (joints.len() > exact.len()).then_some(members)?;
             let circle = wide_circle(self.facets, &more, &self.joints[first]);
             let bow = circle.and_then(|joint| self.made(&joint, more));
@@ -200,7 +197,7 @@ impl BowSearch<'_> {
 
     /// The curved face of a joint and those with the same circle.
     fn exact(&mut self, first: usize) -> Option<Bow> {
-        let (joints, members) = self.connected(first, is_same_circle);
+        let (joints, members) = self.connected(first, 0.0);
         for k in joints {
             self.used[k] = true;
         }
@@ -229,7 +226,7 @@ impl BowSearch<'_> {
 }
 
 /// Whether the circles of two joints may be the same, if the places in the file are rounded by a length (metres).
-fn may_be_same_circle(a: &Joint, b: &Joint, rounded: f64) -> bool {
+fn is_same_circle(a: &Joint, b: &Joint, rounded: f64) -> bool {
     let centre = |joint: &Joint| across(joint.centre, a.axis);
     let most = SAME_PLACE + 2.0 * rounded * (a.error + b.error);
     is_along(a.axis, b.axis)
@@ -259,13 +256,6 @@ fn wide_circle(facets: &FacetModel, members: &[usize], joint: &Joint) -> Option<
         radius,
         ..*joint
     })
-}
-
-fn is_same_circle(a: &Joint, b: &Joint) -> bool {
-    let centre = |joint: &Joint| across(joint.centre, a.axis);
-    is_along(a.axis, b.axis)
-        && centre(a).distance(centre(b)) < SAME_PLACE
-        && (a.radius - b.radius).abs() < SAME_PLACE
 }
 
 /// The joints: sides between two facets of one group whose normals differ by at most [`SHARPEST`].

@@ -11,6 +11,8 @@ mod diagrams;
 mod disc;
 mod engine;
 mod figures;
+#[cfg(test)]
+mod file_tests;
 mod files;
 #[cfg(test)]
 mod flip_tests;

@@ -4,6 +4,7 @@ use super::quality::assert_good;
 use super::schema::{FILE, NONE, ROWS, TYPE_KEYS, keys};
 use super::{PILE, PileEngine, SCHEMA};
 use crate::component::{ComponentKind, FINISHES};
+use crate::generators::rows::numbered::check_row;
 use crate::generators::{ALL, Engine, Files, GivenFile, Preset};
 use crate::notice::{Arg, Code, Notice};
 use crate::pile::fixture::deepest_overlap;
@@ -71,8 +72,7 @@ fn there_is_a_row_for_each_number_of_a_pile_shape() {
         assert_eq!(rows.len(), shape.numbers().len(), "{}", shape.word());
         for (row, number) in rows.iter().zip(shape.numbers()) {
             assert_eq!(row.key.0, format!("{}_{}", shape.word(), number.word));
-            assert_eq!((row.min, row.max), (number.least, number.most));
-            assert_eq!((row.default, row.name), (number.default, number.label));
+            check_row(row, number);
         }
     }
 }

@@ -30,3 +30,23 @@ pub(crate) fn numbers_of(recipe: &Recipe, choice: Key, word: &str) -> Vec<f64> {
     let rows = recipe.schema().rows.iter().filter(is_own);
     rows.map(number).collect()
 }
+
+/// Tests that a row has the name, the help, the range and the default of a number. The words of a choice must be all its
+/// values, the default first.
+#[cfg(test)]
+pub(crate) fn check_row(row: &Parameter, number: &ShapeNumber) {
+    let key = row.key.0;
+    assert_eq!((row.name, row.help), (number.label, number.help), "{key}");
+    if row.kind != Kind::Choice {
+        let (range, default) = ((row.min, row.max), row.default);
+        assert_eq!(range, (number.least, number.most), "{key}");
+        assert_eq!(default, number.default, "{key}");
+        return;
+    }
+    let values = row.choices.iter().map(|choice| choice.word.parse::<f64>());
+    let mut values: Vec<f64> = values.map(|value| value.expect("a number")).collect();
+    assert_eq!(values[0], number.default, "{key}");
+    values.sort_by(f64::total_cmp);
+    let all = (number.least as u32..=number.most as u32).map(f64::from);
+    assert_eq!(values, all.collect::<Vec<_>>(), "{key}");
+}

@@ -3,6 +3,7 @@
 use super::params::Params;
 use super::schema::ROWS;
 use super::{SCHEMA, SURFACE, keys};
+use crate::generators::rows::numbered::check_row;
 use crate::generators::{ALL, MissingFile, TurnOrder};
 use crate::notice::{Arg, Code};
 use crate::recipe::{MAX_NAME, NamedFile, Recipe};
@@ -43,18 +44,7 @@ fn there_is_a_row_for_each_number_of_each_shape() {
         assert_eq!(rows.len(), shape.numbers().len(), "{}", shape.word());
         for (row, number) in rows.iter().zip(shape.numbers()) {
             assert_eq!(row.key.0, format!("{}_{}", shape.word(), number.word));
-            assert_eq!(
-                (row.min, row.max),
-                (number.least, number.most),
-                "{}",
-                row.key.0
-            );
-            assert_eq!(
-                (row.default, row.name),
-                (number.default, number.label),
-                "{}",
-                row.key.0
-            );
+            check_row(row, number);
         }
     }
     let form = SCHEMA.row("form").expect("a row");

@@ -72,7 +72,11 @@ fn described(row: &Parameter) -> String {
         let words: Vec<String> = row
             .choices
             .iter()
-            .map(|c| format!("`{}`", c.word))
+            .map(|c| match c.word.parse::<f64>() {
+                // A number says nothing without its label.
+                Ok(_) => format!("`{}` {}", c.word, c.label),
+                Err(_) => format!("`{}`", c.word),
+            })
             .collect();
         words.join(", ")
     };
