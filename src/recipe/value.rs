@@ -52,10 +52,9 @@ impl Recipe {
         let drawn_for = row.drawn_for.and_then(|(key, _)| self.schema().row(key.0));
         match (row.kind, drawn_for) {
             (_, Some(choice)) => {
-                let outline = self.shown(choice);
-                Notice::new(Code::TheOutline)
-                    .with("outline", outline)
-                    .into()
+                let chosen = self.shown(choice);
+                let notice = Notice::new(Code::TheChoice).with("choice", choice);
+                notice.with("chosen", chosen).into()
             }
             (Kind::Choice, _) => chosen(row, self.choice(row.key)),
             _ => self.text(row).into(),

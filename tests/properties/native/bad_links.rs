@@ -167,7 +167,11 @@ fn bad_links_are_mended_and_told() {
         (
             "poly=A",
             "",
-            &["(poly)", "lost its y", "kept the outline Ring (annulus)"],
+            &[
+                "(poly)",
+                "lost its y",
+                "kept Outline (outline): Ring (annulus)",
+            ],
         ),
         (
             "poly=g",
@@ -175,18 +179,22 @@ fn bad_links_are_mended_and_told() {
             &[
                 "(poly)",
                 "end is missing",
-                "kept the outline Ring (annulus)",
+                "kept Outline (outline): Ring (annulus)",
             ],
         ),
         (
             "poly=gggggggA",
             "",
-            &["(poly)", "too large", "kept the outline Ring (annulus)"],
+            &[
+                "(poly)",
+                "too large",
+                "kept Outline (outline): Ring (annulus)",
+            ],
         ),
         (
             "poly=!",
             "",
-            &["(poly)", "\"!\"", "kept the outline Ring (annulus)"],
+            &["(poly)", "\"!\"", "kept Outline (outline): Ring (annulus)"],
         ),
         (
             "outline=polygon&poly=AA",
@@ -194,13 +202,17 @@ fn bad_links_are_mended_and_told() {
             &[
                 "outer ring",
                 "3 different points",
-                "Kept the outline Ring (annulus)",
+                "Kept Outline (outline): Ring (annulus)",
             ],
         ),
         (
             "poly=gggBgggBCCCCCC",
             "",
-            &["outer ring", "one line", "Kept the outline Ring (annulus)"],
+            &[
+                "outer ring",
+                "one line",
+                "Kept Outline (outline): Ring (annulus)",
+            ],
         ),
     ];
     for (link, canonical, words) in cases {
