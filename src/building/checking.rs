@@ -85,14 +85,18 @@ fn beyond(value: f64) -> Option<String> {
 /// # Errors
 /// The first vertex that lies too far away.
 pub(super) fn vertices(all: &[DVec3]) -> Result<(), BuildingFault> {
-    all.iter().enumerate().try_for_each(|(k, place)| {
-        let found = place.to_array().into_iter().find_map(beyond);
-        found.map_or(Ok(()), |found| {
-            Err(BuildingFault::Far {
-                vertex: k + 1,
-                found,
-            })
-        })
+    let far =
+        |(k, place): (usize, &DVec3)| Some((k, place.to_array().into_iter().find_map(beyond)?));
+    let Some((k, found)) = all.iter().enumerate().find_map(far) else {
+        return Ok(());
+    };
+    let low = all.iter().copied().reduce(DVec3::min);
+    let high = all.iter().copied().reduce(DVec3::max);
+    let size = high.unwrap_or_default() - low.unwrap_or_default();
+    Err(BuildingFault::Far {
+        vertex: k + 1,
+        found,
+        size: size.to_array(),
     })
 }
 

@@ -56,6 +56,8 @@ pub enum BuildingFault {
         vertex: usize,
         /// The coordinate as text (metres).
         found: String,
+        /// The size of the box around all vertices (metres).
+        size: [f64; 3],
     },
     /// There are no faces.
     Empty,

@@ -15,6 +15,7 @@ import type { Work } from '../state/work';
 import { unbent } from './roles';
 import { GUESSED, SIDE } from './sides';
 import { MADE, tried } from './trial';
+import { METRES, otherUnit, UNIT } from './units';
 
 /** Largest file in bytes; a model with the most triangles allowed has some two hundred million. */
 const LARGEST = 400_000_000;
@@ -78,6 +79,8 @@ interface Taken {
   link: string;
   before: string;
   studio: SceneStudio;
+  /** The unit in which the file is read because it is far too large in metres. */
+  unit?: string;
 }
 
 async function trialOf(work: Work, given: Given, task: Task): Promise<Taken> {
@@ -85,7 +88,14 @@ async function trialOf(work: Work, given: Given, task: Task): Promise<Taken> {
   const named = await nameOf(file, task);
   const { recipe: before } = work.store.state;
   const link = askingFor(named, work, given);
-  return { named, link, before, studio: await tried(named.module, link, file, task) };
+  try {
+    return { named, link, before, studio: await tried(named.module, link, file, task) };
+  } catch (error) {
+    const unit = otherUnit(error);
+    if (unit === undefined) throw error;
+    const other = withValues(link, [[UNIT, unit]]);
+    return { named, link: other, before, studio: await tried(named.module, other, file, task), unit };
+  }
 }
 
 /** Throws the browser's error if the file has gone or the module does not load. */
@@ -125,10 +135,13 @@ function askingFor({ digest, value, module }: Named, { engine, store: { state: {
   const beside = row.shownFor?.words.slice(0, 1).map((word) => [row.shownFor?.key ?? '', word] as const) ?? [];
   const sides = module.schema(taker).some(({ key }) => key === SIDE) ? [[SIDE, GUESSED] as const] : [];
   const link = taker === make ? recipe : `v=1&make=${taker}`;
-  return withValues(link, [...beside, [row.key, value], ...unbent(link, row.key), ...sides]);
+  // A new file is in metres until it proves to be too large.
+  const isKnown = recipe.includes(`${row.key}=${value}`);
+  const units = !isKnown && module.schema(taker).some(({ key }) => key === UNIT) ? [[UNIT, METRES] as const] : [];
+  return withValues(link, [...beside, [row.key, value], ...unbent(link, row.key), ...sides, ...units]);
 }
 
-function take(work: Work, given: Given, { named, link, before, studio }: Taken, again: () => void): void {
+function take(work: Work, given: Given, { named, link, before, studio, unit }: Taken, again: () => void): void {
   const { engine, store } = work;
   const { name } = given.file;
   const [asked] = engine.missing();
@@ -139,9 +152,16 @@ function take(work: Work, given: Given, { named, link, before, studio }: Taken, 
   if (store.state.recipe === before) work.adopt(studio, named.module, play);
   else {
     studio.free();
-    work.open(askingFor(named, work, given), { own: true, then: play });
+    work.open(withValues(askingFor(named, work, given), unit === undefined ? [] : [[UNIT, unit]]), { own: true, then: play });
   }
   if (isAsked) again();
   if (asked && !isAsked) notice('files', t('other', { name, asked: asked.name }));
-  else notice('opened', t('opened', { name }));
+  else if (unit === undefined) notice('opened', t('opened', { name }));
+  else notice('opened', t('opened_unit', { name, unit: labelOf(work, unit) }));
+}
+
+/** The name of a unit in the page's language. */
+function labelOf({ engine }: Work, unit: string): string {
+  const row = engine.schema.find(({ key }) => key === UNIT);
+  return row?.choices.find(({ word }) => word === unit)?.label ?? unit;
 }

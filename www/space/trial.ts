@@ -7,6 +7,7 @@ import { piecesOf, supply } from '../module/given';
 import type { SceneStudio, Whole } from '../module/scene';
 import { generatorOf } from '../module/run';
 import { isEnd } from '../module/stages';
+import type { Notice } from '../module/types';
 import type { Task } from '../late/task';
 import { said } from '../words/words';
 
@@ -16,9 +17,16 @@ const BUDGET = 10;
 /** The place on the progress bar, 0..1, at which the file has been read and the surface begins. */
 export const MADE = 0.5;
 
+/** The module's refusal of a file. */
+export class Refusal extends Error {
+  constructor(readonly notice: Notice) {
+    super(said(notice));
+  }
+}
+
 /**
- * A studio that has made the surface of a link with this file, or that waits for yet another file. Throws an Error
- * whose message is the module's reason for a refusal, or an error when it is stopped.
+ * A studio that has made the surface of a link with this file, or that waits for yet another file. Throws a
+ * Refusal with the module's reason, or another error when it is stopped.
  */
 export async function tried(module: Whole, link: string, file: File, task: Task): Promise<SceneStudio> {
   const studio = new module.Bubblestone(link);
@@ -56,5 +64,5 @@ async function surface(module: Whole, studio: SceneStudio, task: Task): Promise<
   }
   task.signal.throwIfAborted();
   const problem = isEnd(studio.stage()) && !studio.missingFiles().length ? studio.problem() : undefined;
-  if (problem) throw new Error(said(problem));
+  if (problem) throw new Refusal(problem);
 }

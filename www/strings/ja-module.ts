@@ -222,7 +222,7 @@ export const foreign: Foreign = {
     'Hides in the round': '丸みのある皮', 'Stones on surfaces': '曲面の石', Showpieces: '見どころ', 'Shapes and vessels': '形と器', "The paper's table": '論文の表', "The paper's figures": '論文の図', Pavements: '石畳', 'Seamless textures': '継ぎ目のないテクスチャ', Gallery: 'ギャラリー', 'Kinds, fields': '種類と場', 'Papers: stone': '論文：石畳', 'Paper: skin': '論文：皮膚',
   },
   presets,
-  figure: (text) => text.replace(/Fig\. (\d+ \(\w+\)) of (\d{4})/g, '$2年 図$1').replace(', ', '・'),
+  figure: (text) => text.replace(/Fig\. (\d+ \(\w+\)) of (\d{4})/g, '$2年 図$1').replace(/Fig\. /g, '図').replace(', ', '・'),
   parts: { packing: '充填', texture: 'テクスチャ', tessellation: '分割', skin: '皮膚', piling: '積み上げ' },
   notices,
   said,

@@ -94,14 +94,39 @@ fn the_module_of_the_sentence_about_too_many_blocks_fits() {
 }
 
 #[test]
-fn a_file_in_millimetres_is_asked_about_its_unit() {
-    let notice = laid_file("mm.obj", &box_of([3000.0, 2400.0, 3000.5])).expect_err("a sentence");
-    let text = notice.to_string();
+fn a_file_of_unusual_size_is_asked_about_its_unit() {
+    let told = |size: [f64; 3]| {
+        let notice = laid_file("large.obj", &box_of(size)).expect_err("a sentence");
+        let text = notice.to_string();
+        assert!(!text.contains('{'), "{text}");
+        text
+    };
+    let millimetres = told([3000.0, 2400.0, 3000.5]);
     assert!(
-        text.contains("3000 by 2400 by 3000.5 metres") && text.contains("in millimetres?"),
-        "{text}"
+        millimetres.contains("3000 by 2400 by 3000.5 metres")
+            && millimetres.contains("Millimetres (mm) would fit"),
+        "{millimetres}"
     );
-    assert!(!text.contains('{'), "{text}");
+    // Beyond the farthest coordinate, too.
+    let far = told([12_000.0, 2400.0, 3000.5]);
+    assert!(far.contains("Millimetres (mm) would fit"), "{far}");
+    let centimetres = told([600.0, 270.0, 450.0]);
+    assert!(
+        centimetres.contains("Centimetres (cm) would fit"),
+        "{centimetres}"
+    );
+    let link = "make=masonry&pattern=bricks&unit=mm";
+    let nothing = engine_with_file(link, "large.obj", &box_of([3e6; 3]), LAYING).err();
+    let nothing = nothing.expect("a sentence").to_string();
+    assert!(nothing.contains("would be needed"), "{nothing}");
+    let lines = box_of([3.0; 3]);
+    let away = lines.lines().map(|line| match line.strip_prefix("v ") {
+        Some(place) => format!("v 2000{place}\n"),
+        None => format!("{line}\n"),
+    });
+    let away = laid_file("away.obj", &away.collect::<String>()).expect_err("a sentence");
+    let away = away.to_string();
+    assert!(away.contains("Vertex") && away.contains("origin"), "{away}");
 }
 
 #[test]
@@ -131,16 +156,6 @@ fn a_building_may_be_in_another_unit_and_on_its_side() {
     });
     let link = "make=masonry&pattern=bricks&up=z";
     assert_eq!(draft(link, &lines.collect::<String>()), usual);
-}
-
-#[test]
-fn a_file_that_is_far_too_large_is_asked_about_its_unit() {
-    let notice = laid_file("mm.obj", &box_of([12_000.0, 2400.0, 3000.5])).expect_err("a sentence");
-    let text = notice.to_string();
-    assert!(
-        text.contains("Vertex 2 ") && text.contains("unit"),
-        "{text}"
-    );
 }
 
 #[test]

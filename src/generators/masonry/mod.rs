@@ -42,6 +42,7 @@ mod subject;
 #[cfg(test)]
 mod tests;
 mod trodden;
+mod units;
 #[cfg(test)]
 mod view_tests;
 mod views;

@@ -3,6 +3,7 @@
 use super::MASONRY;
 use super::colours::{Colours, materials};
 use super::schema::keys;
+use super::units::unit_of_word;
 use crate::building::obj::FileSpace;
 use crate::building::{Building, CornerId, DrawnPlan, EdgeId, Module, Rule};
 use crate::generators::lighting::LightParams;
@@ -177,15 +178,8 @@ fn building(recipe: &Recipe, rule: Option<Rule>, module: Module) -> BuildingPara
 
 /// The unit and the upright axis of a building's file.
 fn file_space(recipe: &Recipe) -> FileSpace {
-    let unit = match recipe.choice(keys::UNIT) {
-        "cm" => [1.0, 100.0],
-        "mm" => [1.0, 1000.0],
-        "ft" => [381.0, 1250.0],
-        "in" => [127.0, 5000.0],
-        _ => FileSpace::METRES.unit,
-    };
     FileSpace {
-        unit,
+        unit: unit_of_word(recipe.choice(keys::UNIT)),
         is_z_up: recipe.choice(keys::UP) == "z",
     }
 }

@@ -30,7 +30,7 @@ pub(super) fn unread(fault: &BuildingFault) -> Notice {
         Fault::Number { path, found } => Notice::new(Code::BuildingNumber)
             .with("path", quote_long(path))
             .with("found", quote(found)),
-        Fault::Far { vertex, found } => Notice::new(Code::BuildingFar)
+        Fault::Far { vertex, found, .. } => Notice::new(Code::BuildingFar)
             .with("vertex", *vertex)
             .with("found", quote(found)),
         Fault::Empty => Code::BuildingEmpty.into(),
@@ -213,6 +213,12 @@ fn between(code: Code, [a, b]: [u32; 2]) -> Notice {
 fn middle(building: &Building, edge: EdgeId) -> DVec3 {
     let edge = building.edge(edge);
     edge.path.point(0.5 * edge.length())
+}
+
+/// A sentence with a size in metres, to the decimetre.
+pub(super) fn sized(code: Code, size: [f64; 3]) -> Notice {
+    let [x, y, z] = size.map(|v| decimal::text_to(1, v));
+    Notice::new(code).with("x", x).with("y", y).with("z", z)
 }
 
 /// A place in metres, to the millimetre.

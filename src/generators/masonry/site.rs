@@ -2,12 +2,12 @@
 
 use super::disc::Disc;
 use super::params::BuildingParams;
+use super::units::other_unit;
 use super::{MASONRY, keys, plan_sentences, sentences};
 use crate::building::obj::FileSpace;
 use crate::building::{
     Building, BuildingFault, BuildingMaking, Draft, Face, Rule, Stance, json, obj,
 };
-use crate::decimal;
 use crate::domain::signed_area;
 use crate::masonry::plan::ThicknessWork;
 use crate::notice::{Code, Notice};
@@ -45,6 +45,8 @@ pub(super) struct BuildingSite {
 /// A site in the making.
 pub(crate) struct SiteBuild {
     step: SiteStep,
+    /// The unit and the upright axis of an OBJ file; `None` for other buildings.
+    space: Option<FileSpace>,
     remarks: Vec<Notice>,
 }
 
@@ -82,7 +84,7 @@ impl SiteBuild {
     /// # Errors
     /// If there is no file, or if it cannot be read.
     pub(super) fn new(params: &BuildingParams, file: Option<&[u8]>) -> Result<Self, Notice> {
-        let mut remarks = Vec::new();
+        let (mut remarks, mut space) = (Vec::new(), None);
         let step = match (&params.rule, file) {
             (Some((Rule::Plan, numbers)), _) => {
                 let (draft, faults) = params.plan.draft(&params.module, numbers);
@@ -93,11 +95,18 @@ impl SiteBuild {
                 SiteStep::meshes(rule.draft(&params.module, numbers), None, params)
             }
             (None, Some(bytes)) => {
-                SiteStep::read(bytes, &params.space).map_err(|fault| sentences::unread(&fault))?
+                let step = SiteStep::read(bytes, &params.space);
+                let step = step.map_err(|fault| unreadable(&fault, &params.space))?;
+                space = matches!(step, SiteStep::Read(_)).then_some(params.space);
+                step
             }
             (None, None) => return Err(Code::ModelFirst.into()),
         };
-        Ok(Self { step, remarks })
+        Ok(Self {
+            step,
+            space,
+            remarks,
+        })
     }
 
     /// Does a slice of the work; returns the site at the end.
@@ -109,7 +118,12 @@ impl SiteBuild {
         work: &mut Option<Self>,
         file: Option<&[u8]>,
     ) -> Result<Option<BuildingSite>, Notice> {
-        let Some(Self { step, remarks }) = work.take() else {
+        let Some(Self {
+            step,
+            space,
+            remarks,
+        }) = work.take()
+        else {
             *work = Some(Self::new(params, file)?);
             return Ok(None);
         };
@@ -129,9 +143,13 @@ impl SiteBuild {
                     work: walls,
                 },
             },
-            meshes => meshes.make(params)?,
+            meshes => meshes.make(params, space.as_ref())?,
         };
-        *work = Some(Self { step, remarks });
+        *work = Some(Self {
+            step,
+            space,
+            remarks,
+        });
         Ok(None)
     }
 }
@@ -159,7 +177,7 @@ impl SiteStep {
     }
 
     /// Makes more of the meshes, or looks for the draft's fault.
-    fn make(self, params: &BuildingParams) -> Result<Self, Notice> {
+    fn make(self, params: &BuildingParams, space: Option<&FileSpace>) -> Result<Self, Notice> {
         match self {
             Self::Parsed(value) => json::draft(&value)
                 .map(Self::Read)
@@ -170,7 +188,10 @@ impl SiteStep {
                 given,
                 mut making,
             } => match (making.advance(&draft), given) {
-                (Ok(Some(building)), _) => Self::walls(building, draft, params),
+                (Ok(Some(building)), _) => {
+                    check_number(&building, params, space)?;
+                    Self::walls(building, draft)
+                }
                 (Ok(None), given) => Ok(Self::Meshes {
                     draft,
                     given,
@@ -201,8 +222,7 @@ impl SiteStep {
     }
 
     /// Begins to measure walls.
-    fn walls(building: Building, draft: Draft, params: &BuildingParams) -> Result<Self, Notice> {
-        check_number(&building, params)?;
+    fn walls(building: Building, draft: Draft) -> Result<Self, Notice> {
         let building = Arc::new(building);
         let work = ThicknessWork::new(building.clone());
         Ok(Self::Walls {
@@ -230,8 +250,22 @@ impl BuildingSite {
     }
 }
 
-/// Refuses a module that is so small that there would be too many blocks.
-fn check_number(building: &Building, params: &BuildingParams) -> Result<(), Notice> {
+/// Why a file is refused, if it is read with this unit.
+fn unreadable(fault: &BuildingFault, space: &FileSpace) -> Notice {
+    let maybe = match fault {
+        BuildingFault::Far { size, .. } => other_unit(*size, space),
+        _ => None,
+    };
+    maybe.unwrap_or_else(|| sentences::unread(fault))
+}
+
+/// Refuses a module that is so small that there would be too many blocks. If no module fits, an OBJ file may be in another
+/// unit than the one of its `space`.
+fn check_number(
+    building: &Building,
+    params: &BuildingParams,
+    space: Option<&FileSpace>,
+) -> Result<(), Notice> {
     let module = params.module;
     let blocks = building.faces().iter().map(|face| {
         let height = match face.stance() {
@@ -252,13 +286,13 @@ fn check_number(building: &Building, params: &BuildingParams) -> Result<(), Noti
     };
     if beyond(keys::W, module.half) || beyond(keys::H, module.course) {
         let (low, high) = bounds(building);
-        let [x, y, z] = (high - low).to_array().map(|v| decimal::text_to(1, v));
-        return Err(Notice::new(Code::MasonryUnits)
-            .with("n", blocks as usize)
-            .with("most", MOST_BLOCKS as usize)
-            .with("x", x)
-            .with("y", y)
-            .with("z", z));
+        let size = (high - low).to_array();
+        let maybe = space.and_then(|space| other_unit(size, space));
+        return Err(maybe.unwrap_or_else(|| {
+            sentences::sized(Code::MasonryHuge, size)
+                .with("n", blocks as usize)
+                .with("most", MOST_BLOCKS as usize)
+        }));
     }
     Err(Notice::new(Code::MasonryMany)
         .with("n", blocks as usize)
