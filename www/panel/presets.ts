@@ -28,6 +28,8 @@ interface PresetGroup {
 export class Presets {
   private groups: PresetGroup[] = [];
   private readonly buttons = new Map<string, HTMLButtonElement>();
+  /** Each writes the words of a preset or of a group. */
+  private words: (() => void)[] = [];
   private marked: string | undefined;
   private placed: ResizeObserver | undefined;
   /** Loads pictures that come into sight. The browsers' own lazy loading fetches far more of a list than is visible. */
@@ -48,18 +50,24 @@ export class Presets {
     rail.replaceChildren();
     this.inSight.disconnect();
     this.groups = [];
+    this.words = [];
     this.buttons.clear();
     for (const title of new Set(presets.map(({ group }) => group))) {
       const id = `presets-${this.groups.length}`;
-      const list = make('ul', { id, 'aria-label': groupIn(title) });
+      const list = make('ul', { id });
       const own = presets.filter(({ group }) => group === title);
       for (const preset of own) {
         const isAlone = own.filter(({ figure }) => figure === preset.figure).length === 1;
         const [number, page = ''] = EXPLAINED[preset.name] ?? [];
         const chapter = number ? [make('a', { href: t('chapter_page', { page }) }, t('chapter', { n: number }))] : [];
-        list.append(make('li', {}, this.button(preset, isAlone ? preset.figure : ''), ...chapter));
+        list.append(make('li', {}, this.button(preset, isAlone), ...chapter));
       }
-      const heading = make('button', { type: 'button', 'aria-controls': id }, groupIn(title));
+      const heading = make('button', { type: 'button', 'aria-controls': id });
+      const write = (): void => {
+        heading.textContent = list.ariaLabel = groupIn(title);
+      };
+      write();
+      this.words.push(write);
       const group = { heading, list };
       heading.addEventListener('click', () => this.unfold(group));
       this.groups.push(group);
@@ -101,17 +109,28 @@ export class Presets {
     this.placed.observe(button);
   }
 
-  /** A preset's button. `figure` is the figure that it shows, if no other preset of the group shows it too. */
-  private button(preset: Preset, figure: string): HTMLButtonElement {
+  /**
+   * Writes the words again after a change of the language. A title may look like another word, as "Steps" does, and then
+   * its text alone does not tell its translation.
+   */
+  retell(): void {
+    for (const write of this.words) write();
+  }
+
+  /** A preset's button. It shows the number of its figure if the figure `isAlone` in its group. */
+  private button(preset: Preset, isAlone: boolean): HTMLButtonElement {
     const picture = make('img', { decoding: 'async', width: THUMB, height: THUMB, alt: '', 'data-name': preset.name });
     this.inSight.observe(picture);
-    const button = make(
-      'button',
-      { type: 'button', title: preset.note ? `${figure || preset.title}: ${preset.note}` : preset.title, 'data-preset': preset.name },
-      picture,
-      make('span', {}, figure ? short(figure) : preset.title),
-    );
-    if (figure) button.setAttribute('aria-label', figure);
+    const word = make('span');
+    const button = make('button', { type: 'button', 'data-preset': preset.name }, picture, word);
+    const write = (): void => {
+      const figure = isAlone ? preset.figure : '';
+      button.title = preset.note ? `${figure || preset.title}: ${preset.note}` : preset.title;
+      word.textContent = figure ? short(figure) : preset.title;
+      if (figure) button.setAttribute('aria-label', figure);
+    };
+    write();
+    this.words.push(write);
     button.addEventListener('click', () => this.chosen(preset));
     this.buttons.set(preset.name, button);
     return button;

@@ -64,6 +64,7 @@ export async function furnish(house: House): Promise<void> {
   store.on(['make'], () => void follow());
   // Whether a choice is a list or a row of buttons depends on its words.
   addEventListener(RETOLD, () => {
+    presets.retell();
     made = '';
     void follow();
   });

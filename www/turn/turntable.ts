@@ -7,6 +7,7 @@
  */
 import { t } from '../words/turn';
 import { byId, make, say } from '../base/dom';
+import { RETOLD } from '../base/language';
 import { keep, kept } from '../base/storage';
 import type { Generator, Parameter } from '../module/types';
 import { cameraLimits, cameraWords, firstCamera, homeOf, wholeBodies } from '../state/asked-view';
@@ -110,6 +111,8 @@ export class Turntable {
   private beside: Camera = BODY;
   /** Counts the places pointed at; a late answer is ignored. */
   private pointed = 0;
+  /** The place of the picked body, in fractions of the frame's sides. */
+  private at: readonly [number, number] = [0.5, 0.5];
 
   constructor(place: Surroundings) {
     this.place = place;
@@ -148,6 +151,8 @@ export class Turntable {
     // The keys of the steps and of the way back also work while the frame has the focus.
     this.stand.addEventListener('keydown', (event) => !event.defaultPrevented && this.making.step(event.key) && event.preventDefault());
     new ResizeObserver(() => this.follow()).observe(this.stand);
+    // Words of the card, such as "Course", look like others of the page.
+    addEventListener(RETOLD, () => this.card.picked && void this.point(...this.at, true));
   }
 
   toggle(on: boolean): void {
@@ -302,6 +307,7 @@ export class Turntable {
     const body = this.named(await this.frames.bodyAt(x, y));
     if (turn !== this.pointed || !this.on) return undefined;
     this.stand.dataset['body'] = String(body?.id ?? 'none');
+    if (picked) this.at = [x, y];
     if (body) this.card.show(body, this.bodies.sort, x, y, picked);
     else this.card.hide();
     return body;

@@ -1,0 +1,96 @@
+// Phones and large letters: what is made for fingers and for the room of a narrow screen.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { desk, open } from './harness.mjs';
+import { click, digest, done, drop, phone, PILE, SMALL, SQUARE } from './page.mjs';
+import { turned } from './turned.mjs';
+
+/** @type {Awaited<ReturnType<typeof open>>} */
+let site;
+
+before(async () => {
+  site = await open();
+});
+
+after(() => site?.close());
+
+/** A closed wedge. */
+const WEDGE = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n';
+
+/** Letters of twice the usual size. */
+const large = (/** @type {import('puppeteer-core').Page} */ fresh) =>
+  fresh.evaluateOnNewDocument(() => addEventListener('DOMContentLoaded', () => (document.documentElement.style.fontSize = '200%')));
+
+test('the link to the keys is there where a keyboard is likely', async () => {
+  for (const [viewport, isThere] of /** @type {const} */ ([[phone, false], [desk, true]])) {
+    const { page, problems, close } = await site.newPage(SMALL, { viewport });
+    await digest(page);
+    assert.equal(await page.$eval('#keys-button', (button) => button.checkVisibility()), isThere);
+    // The key itself always works.
+    await page.keyboard.press('?');
+    await page.waitForSelector('#keys[open]');
+    assert.deepEqual(problems, []);
+    await close();
+  }
+});
+
+for (const [letters, before] of Object.entries({ usual: undefined, large })) {
+  test(`the name of a model has the width of a phone, and never widens the page: ${letters} letters`, async () => {
+    const { page, problems, close } = await site.newPage(PILE, { viewport: phone, before });
+    await digest(page);
+    const name = 'my_first_scanned_chestnut_again.obj';
+    await drop(page, name, WEDGE, '');
+    await page.waitForFunction((wanted) => document.querySelector('#model-name')?.textContent === wanted, {}, name);
+    await done(page);
+    const { cut, right } = await page.$eval('#model-name', (box) => ({ cut: box.scrollWidth > box.clientWidth, right: box.getBoundingClientRect().right }));
+    assert.equal(cut, letters === 'large');
+    assert.ok(right <= phone.width, `the name ends at ${right}`);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= phone.width);
+    assert.deepEqual(problems, []);
+    await close();
+  });
+
+  test(`the steps in which a stone is made leave it in sight: ${letters} letters`, async () => {
+    const { page, problems, close } = await site.newPage(`${SQUARE}&camera=330,60`, { viewport: phone, before });
+    await digest(page);
+    await turned(page);
+    await page.focus('#turn');
+    await page.keyboard.press('Enter');
+    await page.waitForSelector('#turn-how');
+    await page.keyboard.press('Enter');
+    await page.waitForSelector('.turn-making', { visible: true });
+    // Surfaces have twelve steps.
+    const found = await page.evaluate(() => {
+      const dots = /** @type {HTMLElement} */ (document.querySelector('.turn-dots'));
+      while (dots.children.length < 12) dots.append(/** @type {Element} */ (dots.lastElementChild).cloneNode(true));
+      const sides = (/** @type {string} */ selector) => document.querySelector(selector)?.getBoundingClientRect().toJSON();
+      return { rows: new Set([...dots.children].map((dot) => dot.getBoundingClientRect().top)).size, stand: sides('#turn'), strip: sides('.turn-making'), sheet: sides('#sheet') };
+    });
+    if (letters === 'usual') assert.equal(found.rows, 1);
+    assert.ok(found.stand.height > 0.39 * found.sheet.height, JSON.stringify(found));
+    assert.ok(found.strip.top >= found.stand.bottom - 1 && found.strip.bottom <= found.sheet.bottom + 1, JSON.stringify(found));
+    assert.deepEqual(problems, []);
+    await close();
+  });
+}
+
+test('the tool that cuts is under the pointer while two pictures are compared', async () => {
+  for (const viewport of [desk, phone]) {
+    const { page, problems, close } = await site.newPage(`${PILE}&cut=0,1,0,0.05`, { viewport });
+    await digest(page);
+    await turned(page);
+    await click(page, '#compare-button');
+    await page.waitForSelector('.compare-left', { visible: true });
+    const covered = await page.$$eval('#turn-cut, #turn-cut-at, .turn-cut label', (parts) =>
+      parts.flatMap((part) => {
+        part.scrollIntoView({ block: 'center', behavior: 'instant' });
+        const { left, top, width, height } = part.getBoundingClientRect();
+        const hit = document.elementFromPoint(left + width / 2, top + height / 2);
+        return part.contains(hit) ? [] : [`${part.id || part.textContent} under ${hit?.id || hit?.className}`];
+      }),
+    );
+    assert.deepEqual(covered, []);
+    assert.deepEqual(problems, []);
+    await close();
+  }
+});
