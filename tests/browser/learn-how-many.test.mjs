@@ -118,6 +118,39 @@ test('thresholds that cross: it never rests, whichever way they are moved', same
   await other.close();
 });
 
+/**
+ * Words of the thresholds' flags that are cut, or stand on the pole that passes them. The plate is found in the page, as it
+ * is drawn anew at any time. @param {Page} page @param {string} figure @returns {Promise<string[]>}
+ */
+const badFlags = (page, figure) =>
+  page.evaluate((selector) => {
+    const own = (/** @type {string} */ part) => /** @type {SVGGraphicsElement[]} */ ([...document.querySelectorAll(`${selector} .threshold${part}`)]);
+    const pole = own('.crowd .pole')[0]?.getBBox().x ?? 0;
+    return own(' text').flatMap((text) => {
+      const { x, width } = text.getBBox();
+      const isCut = x < 0 || width === 0 || x + width > 400;
+      const isOnPole = text.closest('.room') && pole > x - 4 && pole < x + width + 4;
+      return isCut || isOnPole ? [`${text.textContent}: ${Math.round(x)} to ${Math.round(x + width)}, the pole at ${Math.round(pole)}`] : [];
+    });
+  }, figure);
+
+test('the words of a flag are whole, and stand on no pole, wherever the thresholds are', sameEverywhere, async () => {
+  for (const language of /** @type {const} */ (['en', 'ja'])) {
+    const { page, problems, close } = await chapter('', { language });
+    const figure = await at(page, 'never');
+    assert.deepEqual(await badFlags(page, figure), []);
+    for (const [crowd, room] of [[0.95, 0.85], [0.75, 0.65], [0.95, 1.1], [1, 1.2], [1, 0.6], [0.5, 0.5]]) {
+      await type(page, figure, 'crowd', crowd);
+      await type(page, figure, 'room', room);
+      const words = [crowd, room].map((value) => `= ${value.toFixed(2)}`);
+      await page.waitForFunction((selector, all) => all.every((one, k) => document.querySelectorAll(`${selector} .threshold`)[k]?.textContent?.includes(one)), {}, figure, words);
+      assert.deepEqual(await badFlags(page, figure), [], `${language}: ${crowd} and ${room}`);
+    }
+    assert.deepEqual(problems, []);
+    await close();
+  }
+});
+
 test('outlines of the same area: a smaller size turns the order round; the right number needs no correction', async () => {
   const { page, problems, close } = await chapter();
   const figure = await at(page, 'count');

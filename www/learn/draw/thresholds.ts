@@ -32,7 +32,7 @@ export function thresholds(view: View, { packing, title }: Plate): string {
   const [crowd, room] = [Number(trace.value('crowd')), Number(trace.value('room'))];
   const words = view.language === 'ja' ? '各バブルの最小のwと、二つのしきい値' : 'The smallest w of each bubble, and both thresholds';
   const said = title ? `${title[view.language]}. ${words}` : words;
-  return svg(HEIGHT, said, `${bands(view, crowd, room)}${axis(view)}${dots(trace, view)}${flag(view, 'crowd', crowd)}${flag(view, 'room', room)}${sums(trace, view)}`);
+  return svg(HEIGHT, said, `${bands(view, crowd, room)}${axis(view)}${dots(trace, view)}${flag(view, 'crowd', crowd)}${flag(view, 'room', room, crowd)}${sums(trace, view)}`);
 }
 
 /** The bands of w in which cells go, and in which they bring another one; where these overlap, both patterns show. */
@@ -81,14 +81,48 @@ function sign(x: number, y: number, arm: number, kind: string): string {
   return `<path class="sign" d="${slanted}${upright}"/>`;
 }
 
-/** A threshold as a pole with a flag to the side on which it works; its words stand where there is room for them. */
-function flag({ language }: View, key: 'crowd' | 'room', value: number): string {
+/** The room that the words of a flag take in one line, and in two. */
+const ROOM = { en: [152, 88], ja: [116, 72] } as const;
+
+/** The free room between words and the other pole. */
+const APART = 10;
+
+/** Where words can stand: the side to which they run, where they begin, and how long they may be. */
+interface Free {
+  readonly side: number;
+  readonly from: number;
+  readonly room: number;
+}
+
+/** The places for the words of a flag: near it, before and behind, and those beyond the pole that passes them. */
+function freeBeside(x: number, way: number, pole: number | undefined): readonly [near: Free[], beyond: Free[]] {
+  const [near, beyond]: [Free[], Free[]] = [[], []];
+  for (const side of [way, -way]) {
+    const from = x + side * (side === way ? 36 : 14);
+    const end = side < 0 ? 0 : WIDTH;
+    const isDivided = pole !== undefined && (pole - x) * side > 0;
+    near.push({ side, from, room: isDivided ? (pole - from) * side - APART : (end - from) * side });
+    if (!isDivided) continue;
+    const after = side * Math.max(side * from, side * pole + APART);
+    beyond.push({ side, from: after, room: (end - after) * side });
+  }
+  return [near, beyond];
+}
+
+/**
+ * A threshold as a pole with a flag to the side on which it works. Its words stand where there is room for them. The pole
+ * of "goes below" begins higher and passes the words of "comes from", which keep away from it, in two lines if need be.
+ */
+function flag({ language }: View, key: 'crowd' | 'room', value: number, passing?: number): string {
   const [x, y] = gripOf(key, value);
   const way = key === 'crowd' ? -1 : 1;
   const words = key === 'crowd' ? (language === 'ja' ? '去る' : 'goes below') : language === 'ja' ? '増える' : 'comes from';
-  const isBehind = way < 0 ? x < LEFT + 150 : x > RIGHT - 140;
-  const side = isBehind ? -way : way;
-  const label = text(x + side * (isBehind ? 14 : 36), y + 5, `${words} ${symbol(key, key === 'crowd' ? 'a' : 'b')} = ${number(value, 2)}`, 'key halo', side < 0 ? 'end' : 'start');
+  const [inOne, inTwo] = ROOM[language];
+  const free = freeBeside(x, way, passing === undefined ? undefined : X(passing)).flatMap((places) => [inOne, inTwo].map((least) => places.find((place) => place.room >= least)));
+  const { side, from, room } = free.find((place) => place !== undefined) ?? { side: way, from: x, room: 0 };
+  const anchor = side < 0 ? 'end' : 'start';
+  const named = `${symbol(key, key === 'crowd' ? 'a' : 'b')} = ${number(value, 2)}`;
+  const label = room >= inOne ? text(from, y + 5, `${words} ${named}`, 'key halo', anchor) : `${text(from, y - 3, words, 'key halo', anchor)}${text(from, y + 13, named, 'key halo', anchor)}`;
   return `<g class="threshold ${key}" data-symbol="${key}">${line([x, y], [x, FLOOR], 'pole')}<path class="flag" d="M${at(x)} ${y - 8}h${22 * way}l${6 * way} 8l${-6 * way} 8h${-22 * way}z"/>${label}</g>`;
 }
 
