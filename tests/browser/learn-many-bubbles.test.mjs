@@ -207,6 +207,29 @@ test('each question is answered by doing what it asks', async () => {
   await close();
 });
 
+test('a figure that was far away shows again the starts that were tried, and what was seen of their run', sameEverywhere, async () => {
+  const { page, problems, close } = await chapter();
+  const figure = await at(page, 'best');
+  const { hash } = await shown(page, figure);
+  await type(page, figure, 'seed', 6);
+  await changed(page, figure, hash);
+  await toEnd(page, figure);
+  await page.waitForSelector('[data-seen="best"]:not([hidden])');
+  await seek(page, figure, 4);
+  const before = await shown(page, figure);
+  const offered = () => page.$$eval(`${figure} [data-stop]`, (all) => all.map((stop) => stop.disabled));
+  const stops = await offered();
+  assert.ok(stops.every((isOff) => !isOff), `${stops}`);
+
+  await page.evaluate(() => scrollTo({ top: 0, behavior: 'instant' }));
+  await page.waitForSelector(`${figure}:not([data-live])`);
+  await at(page, 'best');
+  assert.deepEqual(await shown(page, figure), before);
+  assert.deepEqual(await offered(), stops);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test('an address opens the same state in a fresh page, in both languages', async () => {
   const one = await chapter();
   const figure = await at(one.page, 'crowd');

@@ -6,9 +6,10 @@ import { curveOf, gripAt, lastStepOf, notesOf, numbersAt, platesOf, stopsOf, tol
 import type { CurvePoint } from '../draw/plate';
 import { Reading, shownPoints, shownValue } from '../draw/reading';
 import { zeroOf, type Bubbles } from '../draw/studio';
-import type { Figure, Language, PointHandle, Trial, View } from '../figures/figure';
+import type { Figure, Language, PointHandle, View } from '../figures/figure';
 import { markAt } from '../figures/marks';
 import { opening, type State } from './address';
+import type { Past } from './past';
 import { Questions } from './questions';
 import { Handles, type Handled } from './handles';
 import { Layers } from './layers';
@@ -39,11 +40,10 @@ export class Live implements Handled, Timed {
   private readonly zero: number;
   private readings: Reading[] = [];
   private stops: ReturnType<typeof stopsOf> = [];
-  private trials: Trial[] = [];
-  /** The step asked for, the last one that there is, and the furthest one that was seen. */
+  private readonly past: Past;
+  /** The step asked for, and the last one that there is. */
   private asked = 0;
   private last = 0;
-  private furthest = 0;
   private at: readonly number[];
   private isRead = false;
   /** Whether the reader has changed the recipe: the picture then follows while the numbers are being read. */
@@ -55,14 +55,16 @@ export class Live implements Handled, Timed {
   private part = 0;
   private frame = 0;
 
-  constructor(place: HTMLElement, shown: Shown, language: Language, module: Bubbles, state: State, turns: Turns, changed: (state: State) => void) {
+  constructor(place: HTMLElement, shown: Shown, language: Language, module: Bubbles, state: State, past: Past, turns: Turns, changed: (state: State) => void) {
     const { figure } = shown;
-    [this.shown, this.place, this.figure, this.language, this.module, this.turns, this.changed] = [shown, place, figure, language, module, turns, changed];
+    [this.shown, this.place, this.figure, this.language, this.module, this.past, this.turns, this.changed] = [shown, place, figure, language, module, past, turns, changed];
     [this.asked, this.at, this.last] = [state.step, state.at, figure.last];
     [this.curve, this.zero] = [curveOf(module), zeroOf(module)];
-    this.questions = new Questions(figure, language);
+    this.questions = new Questions(figure, language, past.answered);
     this.timeline = new Timeline(this, place, this.ended.signal);
+    const { furthest } = past;
     this.open(state.recipe);
+    past.furthest = furthest;
     this.handles = new Handles(this, place, this.ended.signal);
   }
 
@@ -97,7 +99,7 @@ export class Live implements Handled, Timed {
   /** Reads all numbers anew, because the recipe has changed: only the step that is shown has been seen. */
   private read(): void {
     this.isRead = false;
-    this.furthest = 0;
+    this.past.furthest = 0;
     this.wake();
   }
 
@@ -238,14 +240,14 @@ export class Live implements Handled, Timed {
   }
 
   private view(): View {
-    const { readings, step, last, furthest, trials, curve, zero, at, language, stops } = this;
+    const { readings, step, last, past: { furthest, trials }, curve, zero, at, language, stops } = this;
     return { traces: readings, step, last, furthest, trials, curve, zero, at, isStill: !this.isPlaying, isZeroShown: this.questions.showsZero, answered: this.questions.answered, stops, language };
   }
 
   /** Shows the state. At rest the text is spoken, and the address follows. */
   private show(isAtRest: boolean): void {
     if (!this.isRead) return this.handles.show();
-    this.furthest = Math.max(this.furthest, this.step);
+    this.past.furthest = Math.max(this.past.furthest, this.step);
     this.ask();
     this.draw();
     this.timeline.show(this.step, this.last, this.isPlaying, this.offered());
@@ -272,14 +274,14 @@ export class Live implements Handled, Timed {
    */
   private offered(): typeof this.stops {
     const { steps, asks } = this.figure;
-    return steps === 'layer' || !asks.length ? this.stops : this.stops.filter(({ step }) => step <= this.furthest);
+    return steps === 'layer' || !asks.length ? this.stops : this.stops.filter(({ step }) => step <= this.past.furthest);
   }
 
   /** Keeps how a start ended, and looks whether a question is answered. */
   private ask(): void {
-    const [reading] = this.readings;
+    const { past, readings: [reading] } = this;
     const trial = reading && this.figure.trial?.(reading, this.step);
-    if (trial && !this.trials.some(({ start }) => start === trial.start)) this.trials = [...this.trials, trial];
+    if (trial && !past.trials.some(({ start }) => start === trial.start)) past.trials = [...past.trials, trial];
     this.questions.look(this.view());
   }
 

@@ -9,6 +9,7 @@ import { shownIn, type Shown } from '../draw/picture';
 import { figureIn, opening, stateIn, stateWords, studioWords, type State } from './address';
 import { drawingsOf } from './chapters';
 import { Live } from './live';
+import { Past } from './past';
 import { Turns } from './turns';
 import './figure.css';
 import './mesh.css';
@@ -26,6 +27,7 @@ class PlacedFigure {
   private readonly page: Page;
   private live: Live | undefined;
   private state: State | undefined;
+  private readonly past = new Past();
   /** A fragment of the address that is to be opened. */
   private asked: string | undefined;
   private isNear = false;
@@ -53,6 +55,7 @@ class PlacedFigure {
   /** Opens a state of the address, and shows the figure. */
   open(fragment: string): void {
     this.leave();
+    this.past.furthest = 0;
     this.asked = fragment;
     // Class mode goes to the figure's screen.
     this.element.dispatchEvent(new Event('opened', { bubbles: true }));
@@ -68,7 +71,7 @@ class PlacedFigure {
     const state = this.asked === undefined ? (this.state ?? opening(shown.figure)) : stateIn(this.asked, shown.figure);
     this.asked = undefined;
     const first = { now: true };
-    this.live = new Live(this.element, shown, this.page.language, module, state, this.page.turns, (now) => {
+    this.live = new Live(this.element, shown, this.page.language, module, state, this.past, this.page.turns, (now) => {
       this.state = now;
       this.follow(now, first.now);
       first.now = false;

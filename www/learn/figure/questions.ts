@@ -6,10 +6,11 @@ import { expected } from '../figures/words';
 export class Questions {
   private readonly figure: Figure;
   private readonly language: Language;
-  private readonly found = new Set<Ask>();
+  private readonly found: Set<Ask>;
 
-  constructor(figure: Figure, language: Language) {
-    [this.figure, this.language] = [figure, language];
+  /** The answered questions of `found` stay answered. */
+  constructor(figure: Figure, language: Language, found: Set<Ask>) {
+    [this.figure, this.language, this.found] = [figure, language, found];
   }
 
   /** Whether a question is answered after which the place where the potential is 0 is shown. */
