@@ -297,8 +297,23 @@ test('on paper a chapter has every figure and every answer, and no handles', sam
   }
 });
 
-/** The parts of an A4 page that print has, in pixels: 10 mm are left free on each side. */
+test('after printing, the answers are folded again that the reader had not opened', sameEverywhere, async () => {
+  const { page, close } = await site.newPage('learn/two-bubbles/');
+  await begun(page);
+  await page.evaluate(() => document.querySelector('.chapter')?.insertAdjacentHTML('beforeend', '<details class="answers" open></details>'));
+  const opened = (/** @type {string} */ event) =>
+    page.evaluate((name) => {
+      dispatchEvent(new Event(name));
+      return [...document.querySelectorAll('details.answers')].map((fold) => fold.open);
+    }, event);
+  assert.deepEqual(await opened('beforeprint'), [true, true]);
+  assert.deepEqual(await opened('afterprint'), [false, true]);
+  await close();
+});
+
+/** The parts of a page that print has, in pixels: 10 mm are left free on each side. */
 const A4 = { width: 718, height: 1047 };
+const LETTER = { width: 740, height: 980 };
 
 /**
  * Words in plates that are cut, or smaller on paper than 6.5 points. Indices may be smaller. Runs in the page.

@@ -51,6 +51,18 @@ function markSymbols(): void {
   }
 }
 
+/** On paper the answers are unfolded. Those that the reader had not opened are folded again, as they would tell too much. */
+function unfoldOnPaper(): void {
+  let folded: readonly HTMLDetailsElement[] = [];
+  addEventListener('beforeprint', () => {
+    folded = [...document.querySelectorAll<HTMLDetailsElement>('details.answers:not([open])')];
+    for (const fold of folded) fold.open = true;
+  });
+  addEventListener('afterprint', () => {
+    for (const fold of folded) fold.open = false;
+  });
+}
+
 /** Stores the site, so that the next lesson needs no connection. A failure changes nothing. */
 async function store(): Promise<void> {
   await idle(3000);
@@ -62,10 +74,7 @@ function start(): void {
   byId('theme').hidden = false;
   followTheme();
   button('print', () => print());
-  // On paper the answers are unfolded.
-  addEventListener('beforeprint', () => {
-    for (const fold of document.querySelectorAll<HTMLDetailsElement>('details.answers')) fold.open = true;
-  });
+  unfoldOnPaper();
   const link = document.getElementById('language');
   if (link instanceof HTMLAnchorElement) keepState(link);
   for (const ask of document.querySelectorAll('[data-ask]')) openReplies(ask);
