@@ -20,6 +20,7 @@ import { escaped, folderOf, pageFile, prose, way } from './learn-frame.mjs';
  * @property {string} [figure]
  * @property {string} [key] of its question
  * @property {Answer[]} [answers]
+ * @property {boolean} [tells] whether its figure shows the answer to the question before, so that it is not on the sheet
  * @property {Words[]} [blanks] of the sheet, where there are no answers to choose
  * @property {(Words | Equation)[]} [parts]
  * @property {Words[]} [lines]

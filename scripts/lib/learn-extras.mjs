@@ -105,13 +105,13 @@ export function sheetPage(site, language, chapter) {
   const asked = chapter.blocks.filter(({ key, kind }) => key && kind !== 'exercise');
   /** Figures whose picture is on the sheet. @type {Set<string>} */
   const pictured = new Set();
-  const parts = asked.map(({ key = '', heading, text: words, ask, answers = [], blanks = [], figure = '' }, at) => {
+  const parts = asked.map(({ key = '', heading, text: words, ask, answers = [], blanks = [], figure = '', tells = false }, at) => {
     const boxes = answers.map(({ value, text: answer }) => `<li><span class="box" aria-hidden="true"></span>${value}. ${text(answer)}</li>`);
     const guess = boxes.length ? `<ul class="boxes">${boxes.join('')}</ul>` : `<p class="fill">${blanks.map((words) => `${text(words)} <span class="blank"></span>`).join(' ')}</p>`;
     // The heading and the text of a wrong idea tell its answer; its question is a sentence of its own.
     const [title, more] = ask ? [undefined, ask] : [heading, words];
-    // A picture of something else is left out.
-    const hasPicture = !pictured.has(figure) && site.draw.answers(figure, key, language).length > 0;
+    // A picture of something else is left out, and one that tells the answer to the question before.
+    const hasPicture = !tells && !pictured.has(figure) && site.draw.answers(figure, key, language).length > 0;
     if (hasPicture) pictured.add(figure);
     const picture = hasPicture ? `<div class="picture">${site.draw.figure(figure, language)}</div>` : '';
     return `<section class="asked"><h2><span>${t.order[0]} ${at + 1}</span> ${title ? text(title) : ''}</h2>${more ? `<p>${text(more)}</p>` : ''}

@@ -368,6 +368,34 @@ test('on the sheets to print each question has its sentence, its pictures and it
   }
 });
 
+/** The number of pages of a height for these parts, if none of them is cut. @param {number[]} parts @param {number} height */
+function pagesOf(parts, height) {
+  const ends = [0];
+  for (const part of parts) {
+    const end = (ends.at(-1) ?? 0) + part;
+    if (end > height) ends.push(part);
+    else ends[ends.length - 1] = end;
+  }
+  return ends.length;
+}
+
+test('each sheet has two pages, on A4 and on Letter, and no picture tells the answer to a question before it', sameEverywhere, async () => {
+  for (const { name } of chapters) {
+    for (const path of [`learn/${name}/sheet/`, `learn/ja/${name}/sheet/`]) {
+      const { page, close } = await site.newPage(path, { viewport: A4 });
+      await page.emulateMediaType('print');
+      for (const paper of [A4, LETTER]) {
+        await page.setViewport(paper);
+        const parts = await page.$$eval('.sheet > header, .asked', (all) => all.map((part) => part.getBoundingClientRect().height));
+        assert.equal(pagesOf(parts, paper.height), 2, `${path}: ${parts.map(Math.round)} on ${paper.height}`);
+      }
+      // The point in the middle of the road, whose sum an earlier question asks for.
+      if (name === 'which-way') assert.deepEqual(await page.$$eval('.asked', (all) => all.map((one) => one.querySelectorAll('svg.plate').length > 0)), [false, true, false, true, true]);
+      await close();
+    }
+  }
+});
+
 test('in class every slide fits the screen with a large picture; an answer, and the sentence on what happened, move nothing', sameEverywhere, async () => {
   for (const path of CHAPTER_PATHS) {
     const { page, close } = await site.newPage(path, { viewport: projector });

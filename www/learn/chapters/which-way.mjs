@@ -79,6 +79,7 @@ export const whichWay = {
       kind: 'prediction',
       key: 'pieces',
       figure: 'pieces',
+      tells: true,
       heading: { en: 'Ten pieces', ja: '十等分すると' },
       text: {
         en: 'One side is cut into ten equal pieces, and the road keeps its shape. Which sum changes in the middle?',
