@@ -267,8 +267,9 @@ test('the studio leads to the chapters in its language', sameEverywhere, async (
   await close();
 });
 
-/** The window of a class. */
+/** The windows of a class. */
 const projector = { width: 1024, height: 768 };
+const wide = { width: 1920, height: 1080 };
 
 test('on paper a chapter has every figure and every answer, and no handles', sameEverywhere, async () => {
   for (const chapter of BY_TURNS) {
@@ -397,11 +398,12 @@ test('each sheet has two pages, on A4 and on Letter, and no picture tells the an
 });
 
 test('in class every slide fits the screen with a large picture; an answer, and the sentence on what happened, move nothing', sameEverywhere, async () => {
-  for (const path of CHAPTER_PATHS) {
-    const { page, close } = await site.newPage(path, { viewport: projector });
+  const screens = [...[...CHAPTER_PATHS].map((path) => ({ path, viewport: projector })), ...BY_TURNS.map(({ path }) => ({ path, viewport: wide }))];
+  for (const { path, viewport } of screens) {
+    const { page, close } = await site.newPage(path, { viewport });
     await begun(page);
-    assert.deepEqual(await unfitInClass(page), [], path);
-    assert.deepEqual(await movedInClass(page), [], path);
+    assert.deepEqual(await unfitInClass(page), [], `${path} at ${viewport.width}`);
+    assert.deepEqual(await movedInClass(page), [], `${path} at ${viewport.width}`);
     await close();
   }
 });
