@@ -27,7 +27,7 @@ class PlacedFigure {
   private readonly page: Page;
   private live: Live | undefined;
   private state: State | undefined;
-  private readonly past = new Past();
+  private past = new Past();
   /** A fragment of the address that is to be opened. */
   private asked: string | undefined;
   private isNear = false;
@@ -55,7 +55,7 @@ class PlacedFigure {
   /** Opens a state of the address, and shows the figure. */
   open(fragment: string): void {
     this.leave();
-    this.past.furthest = 0;
+    this.past = new Past();
     this.asked = fragment;
     // Class mode goes to the figure's screen.
     this.element.dispatchEvent(new Event('opened', { bubbles: true }));

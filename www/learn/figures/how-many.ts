@@ -211,7 +211,7 @@ function toldCount(seen: Seen, language: Language): string {
   const [left, right] = [numberAt(one, seen.step), numberAt(other, seen.step)];
   const [share, size] = [number(shareOf(one), 1), number(Number(one.value('cs')), 0)];
   const rest = areAtRest(seen);
-  if (language === 'ja') return `面積は同じ、セルの大きさも同じ${size}です。輪郭には${left}個、正方形には${right}個入ります。面積を大きさの二乗で割ると、どちらも${share}です。${rest ? '大きさを変えてみてください。' : 'まだ静止していません。'}`;
+  if (language === 'ja') return `面積は同じ、セルの大きさも同じ${size}です。輪郭には${left}個、正方形には${right}個入ります。面積を大きさの2乗で割ると、どちらも${share}です。${rest ? '大きさを変えてみてください。' : 'まだ静止していません。'}`;
   return `The same area, the same cell size of ${size}. The outline holds ${left} cells, the square ${right}; area over size squared is ${share} for both. ${rest ? 'Try another size.' : 'They are not yet at rest.'}`;
 }
 

@@ -72,7 +72,7 @@ function timeStep(trace: Trace | undefined): string {
 
 const broken: Ask = {
   key: 'broken',
-  answers: { a: { en: 'it rests', ja: '静止する' }, b: { en: 'it swings for ever', ja: '揺れ続ける' }, c: { en: 'it flies apart', ja: '飛び離れる' } },
+  answers: { a: { en: 'it rests', ja: '静止する' }, b: { en: 'it swings for ever', ja: '揺れつづける' }, c: { en: 'it flies apart', ja: '飛び離れる' } },
   ...sentence<[dt: string, away: string, stays: string]>(
     ({ traces, step }) => {
       const [euler, kutta] = traces.map(({ moments }) => moments[step]);
@@ -112,7 +112,7 @@ const still: Ask = {
 
 const made: Ask = {
   key: 'made',
-  answers: { a: { en: 'stones came first, cut one by one', ja: '一つずつ切った石' }, b: { en: 'bubbles came first', ja: '押し合い引き合うバブル' }, c: { en: 'a photograph came first', ja: '写真' } },
+  answers: { a: { en: 'stones came first, cut one by one', ja: '一つずつ切り出した石' }, b: { en: 'bubbles came first', ja: '押し合い、引き合うバブル' }, c: { en: 'a photograph came first', ja: '目地に沿って切り抜いた写真' } },
   ...sentence<[n: number]>(
     ({ step, traces }) => (step < 4 ? undefined : [traces[0]?.cells.length ?? 0]),
     [[10]],

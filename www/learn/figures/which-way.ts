@@ -56,7 +56,7 @@ const NOWHERE = 0.02;
 const isInMiddle = ([x = 0]: readonly number[]): boolean => Math.abs(x - 0.5) <= MIDDLE_HALF;
 
 function wayOf([x, y]: readonly [number, number], share: number, language: Language): string {
-  if (share < 0.0005) return inWords(language, 'it points nowhere', 'どちらも向きません');
+  if (share < 0.0005) return inWords(language, 'it points nowhere', 'どこも向きません');
   return Math.abs(x) > Math.abs(y) ? inWords(language, 'it points along the road', '道に沿う向きです') : inWords(language, 'it points across the road', '道を横切る向きです');
 }
 
@@ -87,7 +87,7 @@ const isRoad = (trace: Trace): boolean => trace.value('outline') === 'polygon' &
 
 const middle: Ask = {
   key: 'middle',
-  answers: { a: { en: 'it points along the road', ja: '道に沿う' }, b: { en: 'it points across the road', ja: '道を横切る' }, c: { en: 'it points nowhere', ja: 'どちらも向かない' } },
+  answers: { a: { en: 'it points along the road', ja: '道に沿う' }, b: { en: 'it points across the road', ja: '道を横切る' }, c: { en: 'it points nowhere', ja: 'どこも向かない' } },
   ...sentence<[left: string, certainty: string, isRest: boolean]>(
     ({ traces: [trace], at }) => {
       if (!trace || !isInMiddle(at)) return undefined;
@@ -101,7 +101,7 @@ const middle: Ask = {
         language,
         isRest
           ? inWords(language, `In the middle ${left} of the arrows’ lengths is left, next to nothing. The small rest comes from the ends and points across.`, `真ん中では、矢印の長さの合計の${left}しか残りません。わずかな残りは両端の分で、道を横切る向きです。`)
-          : inWords(language, `In the middle ${left} of the arrows’ lengths is left: the sum points nowhere.`, `真ん中では、矢印の長さの合計の${left}しか残らず、和はどちらも向きません。`),
+          : inWords(language, `In the middle ${left} of the arrows’ lengths is left: the sum points nowhere.`, `真ん中では、矢印の長さの合計の${left}しか残らず、和はどこも向きません。`),
         inWords(language, `Its four-fold neighbour has certainty ${certainty}, along the road.`, `四倍角の和は確かさ${certainty}で、道に沿っています。`),
       ),
   ),
