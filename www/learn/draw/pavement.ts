@@ -28,7 +28,7 @@ export function pavement(view: View, packing: number): string {
   // If the pair is shown large, all small bubbles stand back, those of the pair, too.
   const drawn = cells.map((cell) => one(cell, form(cell), whole ? [] : pair)).join('');
   const two = whole === 'two' ? large(view, pair) : '';
-  const said = view.language === 'ja' ? '舗装の石と、もとになったバブル' : 'The stones of a pavement and the bubbles they are made of';
+  const said = view.language === 'ja' ? '石畳の石と、もとになったバブル' : 'The stones of a pavement and the bubbles they are made of';
   return svg(WIDTH, said, drawn + two);
 }
 

@@ -44,8 +44,8 @@ export function inOutline(trace: Trace, content: string): string {
 }
 
 function spoken({ language }: View, { cells, leaving, empty }: Marks, isAsked: boolean): string {
-  if (isAsked) return language === 'ja' ? `輪郭の中の${cells.length}個のバブル` : `${cells.length} bubbles in their outline`;
-  return language === 'ja' ? `輪郭の中の${cells.length}個のバブル。次の調査で${leaving.size}個が去り、${empty.length}個が増えます` : `${cells.length} bubbles in their outline; next ${leaving.size} leave and ${empty.length} come`;
+  if (isAsked) return language === 'ja' ? `輪郭の中の${cells.length}個のセル` : `${cells.length} cells in their outline`;
+  return language === 'ja' ? `輪郭の中の${cells.length}個のセル。次の調査で${leaving.size}個が去り、${empty.length}個が増えます` : `${cells.length} cells in their outline; at the next look ${leaving.size} ${leaving.size === 1 ? 'goes' : 'go'} and ${empty.length} ${empty.length === 1 ? 'comes' : 'come'}`;
 }
 
 function cellsOf(trace: Trace, { cells, leaving, fresh, empty }: Marks): string {

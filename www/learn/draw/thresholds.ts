@@ -30,7 +30,7 @@ export function thresholds(view: View, { packing, title }: Plate): string {
   const now = trace && crowdAt(trace, view.step);
   if (!trace || !now) return svg(HEIGHT, '', '');
   const [crowd, room] = [Number(trace.value('crowd')), Number(trace.value('room'))];
-  const words = view.language === 'ja' ? '各バブルの最小のwと、二つのしきい値' : 'The smallest w of each bubble, and both thresholds';
+  const words = view.language === 'ja' ? '各セルのwの最小値と、二つのしきい値' : 'The smallest w of each cell, and both thresholds';
   const said = title ? `${title[view.language]}. ${words}` : words;
   return svg(HEIGHT, said, `${bands(view, crowd, room)}${axis(view)}${dots(trace, view)}${flag(view, 'crowd', crowd)}${flag(view, 'room', room, crowd)}${sums(trace, view)}`);
 }
