@@ -280,6 +280,38 @@ test('a building opens as masonry, whatever is shown, and a refused one changes 
   await close();
 });
 
+test('a file in millimetres opens as such, and its unit and upright axis can be changed beside its name', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(BRICKS);
+  await made(page);
+  await drop(page, 'walls.obj', WALLS, '');
+  await message(page, 'status', /walls\.obj is open\.$/);
+  const metres = await made(page);
+  assert.equal(await page.$eval('#model-unit', (select) => /** @type {HTMLSelectElement} */ (select).value), 'm');
+  const long = WALLS.replace(/^v .*$/gm, (line) => line.replace(/\d/g, '$&000'));
+  await drop(page, 'long.obj', long, '');
+  await message(page, 'status', /long\.obj is open\. .*unit is: Millimetres\./);
+  assert.equal(await made(page), metres);
+  assert.equal(await page.$eval('#model-unit', (select) => /** @type {HTMLSelectElement} */ (select).value), 'mm');
+  assert.match(await link(page), /unit=mm/);
+  // The block is 2 by 1 by 1: with z up it is as long, and lies in another place of its file.
+  await click(page, '#model input[value=z]');
+  await page.waitForFunction(() => location.hash.includes('up=z'));
+  assert.notEqual(await made(page), metres);
+  await page.select('#model-unit', 'cm');
+  await page.waitForFunction(() => location.hash.includes('unit=cm'));
+  await made(page);
+  // A file in JSON tells both itself, and another file begins in metres.
+  await drop(page, 'wall.json', BUILDING, 'application/json');
+  await message(page, 'status', /wall\.json is open\.$/);
+  await page.waitForSelector('#model-unit[hidden]');
+  await drop(page, 'walls.obj', WALLS, '');
+  await message(page, 'status', /walls\.obj is open\.$/);
+  await page.waitForSelector('#model-unit:not([hidden])');
+  assert.equal(await page.$eval('#model-unit', (select) => /** @type {HTMLSelectElement} */ (select).value), 'm');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test('a building saved as JSON opens again with the same blocks', sameEverywhere, async () => {
   const { page, problems, close } = await opened(site, BRICKS);
   const blocks = await made(page);
