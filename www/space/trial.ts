@@ -18,7 +18,7 @@ const BUDGET = 10;
 export const MADE = 0.5;
 
 /** The module's refusal of a file. */
-export class Refusal extends Error {
+export class RefusedFile extends Error {
   constructor(readonly notice: Notice) {
     super(said(notice));
   }
@@ -26,7 +26,7 @@ export class Refusal extends Error {
 
 /**
  * A studio that has made the surface of a link with this file, or that waits for yet another file. Throws a
- * Refusal with the module's reason, or another error when it is stopped.
+ * RefusedFile with the module's reason, or another error when it is stopped.
  */
 export async function tried(module: Whole, link: string, file: File, task: Task): Promise<SceneStudio> {
   const studio = new module.Bubblestone(link);
@@ -64,5 +64,5 @@ async function surface(module: Whole, studio: SceneStudio, task: Task): Promise<
   }
   task.signal.throwIfAborted();
   const problem = isEnd(studio.stage()) && !studio.missingFiles().length ? studio.problem() : undefined;
-  if (problem) throw new Refusal(problem);
+  if (problem) throw new RefusedFile(problem);
 }

@@ -1,5 +1,5 @@
 /** The unit of a file that tells none: the key of the parameter, and another unit if the file is far too large. */
-import { Refusal } from './trial';
+import { RefusedFile } from './trial';
 
 export const UNIT = 'unit';
 
@@ -11,7 +11,7 @@ const UNUSUAL = 'masonry_units';
 
 /** The unit in which a refused file would have a usual size; undefined if it was refused for another reason. */
 export function otherUnit(error: unknown): string | undefined {
-  if (!(error instanceof Refusal) || error.notice.code !== UNUSUAL) return undefined;
+  if (!(error instanceof RefusedFile) || error.notice.code !== UNUSUAL) return undefined;
   const unit = error.notice.args[UNIT];
   return typeof unit === 'object' && 'word' in unit ? unit.word : undefined;
 }
