@@ -287,6 +287,9 @@ test('a file in millimetres opens as such, and its unit and upright axis can be 
   await message(page, 'status', /walls\.obj is open\.(?! In)/);
   const metres = await made(page);
   assert.equal(await page.$eval('#model-unit', (select) => /** @type {HTMLSelectElement} */ (select).value), 'm');
+  await page.select('#model-unit', 'ft');
+  await page.waitForFunction(() => location.hash.includes('unit=ft'));
+  assert.notEqual(await made(page), metres);
   const long = WALLS.replace(/^v .*$/gm, (line) => line.replace(/\d/g, '$&000'));
   await drop(page, 'long.obj', long, '');
   await message(page, 'status', /long\.obj is open\. .*unit is: Millimetres\./);
@@ -297,9 +300,6 @@ test('a file in millimetres opens as such, and its unit and upright axis can be 
   await click(page, '#model input[value=z]');
   await page.waitForFunction(() => location.hash.includes('up=z'));
   assert.notEqual(await made(page), metres);
-  await page.select('#model-unit', 'cm');
-  await page.waitForFunction(() => location.hash.includes('unit=cm'));
-  await made(page);
   // A file in JSON tells both itself, and another file begins in metres.
   await drop(page, 'wall.json', BUILDING, 'application/json');
   await message(page, 'status', /wall\.json is open\.(?! In)/);
