@@ -287,6 +287,8 @@ test('a file in millimetres opens as such, and its unit and upright axis can be 
   await message(page, 'status', /walls\.obj is open\.(?! In)/);
   const metres = await made(page);
   assert.equal(await page.$eval('#model-unit', (select) => /** @type {HTMLSelectElement} */ (select).value), 'm');
+  // The file's name stands for the choice of a file.
+  assert.equal(await page.$eval('#caption', (caption) => caption.textContent), 'This recipe: walls.obj · Bricks');
   await page.select('#model-unit', 'ft');
   await page.waitForFunction(() => location.hash.includes('unit=ft'));
   assert.notEqual(await made(page), metres);
