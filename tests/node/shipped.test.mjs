@@ -505,7 +505,7 @@ test('notices of piles are said', async () => {
   studio.free();
 });
 
-/** Models that cannot be laid: no JSON, no building, boxes of wrong sizes, and polygons that clash. @type {[name: string, content: string][]} */
+/** Models that cannot be laid: no JSON, no building, boxes of wrong sizes, and polygons that clash. @type {[name: string, content: string, more?: string][]} */
 const NO_BUILDINGS = [
   ['text.json', '{"version":1,'],
   ['empty.json', '{"version":1,"unit":"m","v":[],"faces":[]}'],
@@ -513,6 +513,8 @@ const NO_BUILDINGS = [
   ['small.obj', boxOf(0.04, 0.04, 0.04)],
   ['large.obj', boxOf(40, 20, 40)],
   ['millimetres.obj', boxOf(3000, 2400, 3000.5)],
+  ['huge.obj', boxOf(3e6, 3e6, 3e6), '&unit=mm'],
+  ['far.obj', boxOf(2, 2, 2).replace(/^v /gm, 'v 2000')],
   ['turned.obj', boxOf(2, 2, 2, ['2 4 3 1', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6'])],
   ['twice.obj', `${boxOf(2, 2, 2)}f 4 2 1 3\n`],
   ['itself.obj', 'v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 3 0\nf 1 2 3 1 2 4 5\n'],
@@ -529,8 +531,8 @@ test('notices of masonry are said', async () => {
     hear([studio.problem()]);
     studio.free();
   }
-  for (const [name, content] of NO_BUILDINGS) {
-    const studio = new whole.Bubblestone(masonry);
+  for (const [name, content, more = ''] of NO_BUILDINGS) {
+    const studio = new whole.Bubblestone(masonry + more);
     const bytes = new TextEncoder().encode(content);
     studio.beginFile(name, bytes.length);
     studio.addToFile(bytes);
