@@ -2,7 +2,6 @@
 //! default, in the order of the schema. Reading never fails: values that do not fit are clamped or dropped,
 //! with a notice.
 
-use super::value::chosen;
 use super::{Kind, Parameter, Recipe, SIZE, Schema};
 use crate::notice::{Arg, Code, Notice, quote};
 
@@ -122,7 +121,7 @@ impl Recipe {
         let is_given = pairs.iter().any(|(key, _)| key == drawn.key.0);
         Some((!is_given).then(|| {
             let notice = Notice::new(Code::PointsMissing).with("what", row);
-            let notice = notice.with("is", chosen(row, word)).with("points", drawn);
+            let notice = notice.with("is", row.word(word)).with("points", drawn);
             notice.with("kept", self.shown(row))
         }))
     }
@@ -142,8 +141,8 @@ impl Recipe {
         }
         let notice = Notice::new(Code::PointsDropped).with("what", choice);
         let notice = notice.with("points", row);
-        let notice = notice.with("needed", chosen(choice, word));
-        Some(Some(notice.with("is", chosen(choice, &given))))
+        let notice = notice.with("needed", choice.word(word));
+        Some(Some(notice.with("is", choice.word(&given))))
     }
 }
 

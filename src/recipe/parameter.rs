@@ -193,7 +193,7 @@ impl Parameter {
     }
 
     /// As a choice instead of a number, the default first.
-    pub const fn chosen(mut self, choices: &'static [Choice]) -> Self {
+    pub const fn as_choice(mut self, choices: &'static [Choice]) -> Self {
         (self.kind, self.choices) = (Kind::Choice, choices);
         self.range(0.0, 0.0, 0.0, 0.0)
     }

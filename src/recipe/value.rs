@@ -56,7 +56,7 @@ impl Recipe {
                 let notice = Notice::new(Code::TheChoice).with("choice", choice);
                 notice.with("chosen", chosen).into()
             }
-            (Kind::Choice, _) => chosen(row, self.choice(row.key)),
+            (Kind::Choice, _) => row.word(self.choice(row.key)),
             _ => self.text(row).into(),
         }
     }
@@ -108,7 +108,7 @@ impl Recipe {
     fn allowed(&self, row: &'static Parameter) -> Arg {
         if row.kind == Kind::Choice {
             let all = row.choices.iter();
-            return Arg::AnyOf(all.map(|c| chosen(row, c.word)).collect());
+            return Arg::AnyOf(all.map(|c| row.word(c.word)).collect());
         }
         let code = match row.kind {
             Kind::Int => Code::WholeNumber,
@@ -224,15 +224,17 @@ impl From<&'static Parameter> for Arg {
     }
 }
 
-/// A word of a choice as notices name it.
-pub(super) fn chosen(row: &'static Parameter, word: &str) -> Arg {
-    let choice = row.choices.iter().find(|c| c.word == word);
-    choice.map_or_else(
-        || quote(word).into(),
-        |c| Arg::Choice {
-            key: row.key.0,
-            word: c.word,
-            label: c.label,
-        },
-    )
+impl Parameter {
+    /// A word of this choice as notices name it; an unknown word is quoted.
+    pub fn word(&'static self, word: &str) -> Arg {
+        let choice = self.choices.iter().find(|c| c.word == word);
+        choice.map_or_else(
+            || quote(word).into(),
+            |c| Arg::Choice {
+                key: self.key.0,
+                word: c.word,
+                label: c.label,
+            },
+        )
+    }
 }

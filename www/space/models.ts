@@ -92,7 +92,8 @@ async function trialOf(work: Work, given: Given, task: Task): Promise<Taken> {
     return { named, link, before, studio: await tried(named.module, link, file, task) };
   } catch (error) {
     const unit = otherUnit(error);
-    if (unit === undefined) throw error;
+    // A link that waits for this file has its unit.
+    if (unit === undefined || link === before) throw error;
     const other = withValues(link, [[UNIT, unit]]);
     return { named, link: other, before, studio: await tried(named.module, other, file, task), unit };
   }
@@ -157,11 +158,9 @@ function take(work: Work, given: Given, { named, link, before, studio, unit }: T
   if (isAsked) again();
   if (asked && !isAsked) notice('files', t('other', { name, asked: asked.name }));
   else if (unit === undefined) notice('opened', t('opened', { name }));
-  else notice('opened', t('opened_unit', { name, unit: labelOf(work, unit) }));
-}
-
-/** The name of a unit in the page's language. */
-function labelOf({ engine }: Work, unit: string): string {
-  const row = engine.schema.find(({ key }) => key === UNIT);
-  return row?.choices.find(({ word }) => word === unit)?.label ?? unit;
+  else {
+    const row = engine.schema.find(({ key }) => key === UNIT);
+    const choice = row?.choices.find(({ word }) => word === unit);
+    notice('opened', t('opened_unit', { name, unit: choice?.label ?? unit }));
+  }
 }

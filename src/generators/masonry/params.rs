@@ -133,16 +133,13 @@ impl MasonryParams {
             shade: shared::shading(recipe),
             materials: materials(Gloss::of_word(recipe.choice(keys::GLOSS))),
         };
+        let building = building(recipe, rule, module);
         Self {
             files: match rule {
                 Some(_) => Vec::new(),
-                None => vec![AskedFile::new(
-                    recipe,
-                    keys::MODEL,
-                    recipe.choice(keys::UP) == "z",
-                )],
+                None => vec![AskedFile::new(recipe, keys::MODEL, building.space.is_z_up)],
             },
-            building: building(recipe, rule, module),
+            building,
             cells: PatternParams {
                 tree: TreePreset::of_word(recipe.choice(keys::PATTERN)).unwrap_or(&PRESETS[0]),
                 laying: LayingParams {

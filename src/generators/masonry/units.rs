@@ -3,7 +3,7 @@
 use super::sentences::sized;
 use super::{SCHEMA, keys};
 use crate::building::obj::FileSpace;
-use crate::notice::{Arg, Code, Notice};
+use crate::notice::{Code, Notice};
 
 /// The words of units in links, each with a unit in metres as a numerator and a denominator.
 const UNITS: [(&str, [f64; 2]); 5] = [
@@ -37,12 +37,6 @@ pub(super) fn other_unit(size: [f64; 3], space: &FileSpace) -> Option<Notice> {
         unit != space.unit && (USUAL[0]..=USUAL[1]).contains(&length)
     };
     let word = LIKELY.iter().find(is_usual)?;
-    let row = SCHEMA.row(keys::UNIT.0)?;
-    let choice = row.choices.iter().find(|choice| choice.word == *word)?;
-    let unit = Arg::Choice {
-        key: row.key.0,
-        word: choice.word,
-        label: choice.label,
-    };
+    let unit = SCHEMA.row(keys::UNIT.0)?.word(word);
     Some(sized(Code::MasonryUnits, size).with("unit", unit))
 }

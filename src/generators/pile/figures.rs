@@ -4,7 +4,7 @@ use super::subject::ViewScene;
 use super::views::PileView;
 use super::{PileEngine, SCHEMA, keys};
 use crate::component::Component;
-use crate::notice::{Arg, Code, Notice};
+use crate::notice::{Code, Notice};
 use crate::pile::{Fate, Kind, contacts_of};
 
 impl PileEngine {
@@ -97,12 +97,7 @@ impl PileEngine {
 /// that follows from the component.
 fn of_type(word: &'static str, kind: &Kind, component: &Component) -> Notice {
     let row = SCHEMA.row(keys::C1.0);
-    let choice = row.and_then(|row| row.choices.iter().find(|choice| choice.word == word));
-    let name = Arg::Choice {
-        key: keys::C1.0,
-        word,
-        label: choice.map_or(word, |choice| choice.label),
-    };
+    let name = row.map_or_else(|| word.to_owned().into(), |row| row.word(word));
     let short = |number: f64| crate::decimal::text_to(2, number);
     Notice::new(Code::PileType)
         .with("name", name)

@@ -43,7 +43,7 @@ lists! {
         cylinder_height CYLINDER_HEIGHT => number_row(&numbers::CYLINDER[0], &["cylinder"]);
         cylinder_top CYLINDER_TOP => number_row(&numbers::CYLINDER[1], &["cylinder"]);
         cylinder_belly CYLINDER_BELLY => number_row(&numbers::CYLINDER[2], &["cylinder"]);
-        cylinder_caps CYLINDER_CAPS => number_row(&numbers::CYLINDER[3], &["cylinder"]).chosen(ENDS);
+        cylinder_caps CYLINDER_CAPS => number_row(&numbers::CYLINDER[3], &["cylinder"]).as_choice(ENDS);
         sphere_height SPHERE_HEIGHT => number_row(&numbers::SPHERE[0], &["sphere"]);
         sphere_depth SPHERE_DEPTH => number_row(&numbers::SPHERE[1], &["sphere"]);
         sphere_square SPHERE_SQUARE => number_row(&numbers::SPHERE[2], &["sphere"]);
@@ -86,7 +86,7 @@ lists! {
         vase_neck VASE_NECK => number_row(&numbers::VASE[2], &["vase"]);
         vase_lip VASE_LIP => number_row(&numbers::VASE[3], &["vase"]);
         vase_hollow VASE_HOLLOW => number_row(&numbers::VASE[4], &["vase"]);
-        letter_letter LETTER_LETTER => number_row(&numbers::LETTER[0], &["letter"]).chosen(LETTERS);
+        letter_letter LETTER_LETTER => number_row(&numbers::LETTER[0], &["letter"]).as_choice(LETTERS);
         letter_weight LETTER_WEIGHT => number_row(&numbers::LETTER[1], &["letter"]);
         letter_depth LETTER_DEPTH => number_row(&numbers::LETTER[2], &["letter"]);
         letter_round LETTER_ROUND => number_row(&numbers::LETTER[3], &["letter"]);
