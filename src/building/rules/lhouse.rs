@@ -64,7 +64,9 @@ pub(super) fn l_house(module: &Module, n: &[f64]) -> Draft {
         is_door: false,
     };
     for (k, ends) in sides(&plan).enumerate() {
-        house.wall(&mut to, module, (k, ends), (n[5], &window));
+        // A house without windows keeps its door.
+        let openings = if k == DOOR { n[5].max(1.0) } else { n[5] };
+        house.wall(&mut to, module, (k, ends), (openings, &window));
     }
     house.roof(&mut to);
     to.flat(&[], &[turned(&plan, 0.0)]);

@@ -15,7 +15,7 @@ numbers! {
         wing: "Width of the wing in modules", "Size of the wing from left to right; the main house stays at least 6 modules longer.", "", 18.0, [8.0, 60.0, 1.0];
         depth: "Length of the wing in modules", "How far the wing reaches behind the main house, which stays at least 6 modules wide.", "", 16.0, [8.0, 60.0, 1.0];
         height: "Height of the eaves in courses", "Rows of bricks from the ground to the roof; windows stay at their height.", "", 34.0, [24.0, 60.0, 1.0];
-        windows: "Windows in a wall", "Windows in each wall, as many as fit; the door takes the place of one, so 0 leaves no door.", "", 3.0, [0.0, 6.0, 1.0];
+        windows: "Windows in a wall", "Windows in each wall, as many as fit; the door takes the place of one and stays without them.", "", 3.0, [0.0, 6.0, 1.0];
         head: "Heads of openings", "Tops of windows and the door; segmental heads are flat arcs, and round ones half circles.", "", 1.0, [0.0, 2.0, 1.0];
         pitch: "Pitch of the roof", "Angle of the roof to the level; a wide wing has a flatter one, so that its ridge stays lower.", "°", 44.0, [20.0, 60.0, 1.0];
     }

@@ -45,6 +45,24 @@ fn each_opening_has_a_pane_or_a_door_that_looks_outwards() {
     }
 }
 
+/// Both houses keep their door without windows.
+#[test]
+fn a_house_has_one_door_whatever_its_windows() {
+    for (rule, place) in [(Rule::LHouse, 5), (Rule::Gabled, 4)] {
+        for windows in 0..=6 {
+            let mut own = rule.fitted(&[]);
+            own[place] = f64::from(windows);
+            let draft = rule.draft(&Module::NORMAL, &own);
+            let doors = draft.extras.iter().filter(|extra| extra.name == "door");
+            let doors = doors.map(|extra| {
+                let mesh = TriMesh::new(extra.positions.clone(), extra.triangles.clone());
+                mesh.unwrap().parts().1
+            });
+            assert_eq!(doors.sum::<usize>(), 1, "{rule:?} {windows}");
+        }
+    }
+}
+
 #[test]
 fn frames_and_bars_stand_in_their_openings() {
     let normal = Module::NORMAL;
