@@ -77,33 +77,42 @@ fn clip_at(
     if near.is_empty() {
         return Some(cell.clone());
     }
-    let parts = (0..near.len()).filter_map(|first| {
+    let mut best: Option<Footprint> = None;
+    let mut most = least;
+    for first in 0..near.len() {
         let rest = near.iter().enumerate().filter(|(k, _)| *k != first);
         let order = [near[first]]
             .into_iter()
             .chain(rest.map(|(_, &obstacle)| obstacle));
-        cut_by(cell, order, inset, (least, sides))
-    });
-    let sized = parts.map(|part| (part.area(), part));
-    let best = sized.reduce(|best, next| if next.0 > best.0 { next } else { best });
-    best.map(|(_, part)| part)
+        if let Some((area, part)) = cut_by(cell, order, inset, (least, most), sides) {
+            (most, best) = (area, Some(part));
+        }
+    }
+    best
 }
 
-/// A cell cut by one obstacle after the other; none if the area that is left falls to `least` (square metres).
+/// A cell cut by one obstacle after the other, and its area; none once no more than `most` of it is left. `least` is that
+/// of [`best_side`] (square metres both).
 fn cut_by<'a>(
     cell: &Footprint,
     obstacles: impl Iterator<Item = &'a Footprint>,
     inset: f64,
-    (least, sides): (f64, CutSides),
-) -> Option<Footprint> {
-    let mut part = cell.clone();
+    (least, most): (f64, f64),
+    sides: CutSides,
+) -> Option<(f64, Footprint)> {
+    let (mut area, mut part) = (cell.area(), cell.clone());
     for obstacle in obstacles {
         if part.shared_area(obstacle) > TOUCH {
             let half = best_side(&part, obstacle, (least, sides));
-            part = part.clip(half, inset).filter(|part| part.area() > least)?;
+            part = part.clip(half, inset)?;
+            area = part.area();
+            // Later cuts only take more away.
+            if area <= most {
+                return None;
+            }
         }
     }
-    Some(part)
+    Some((area, part))
 }
 
 /// The parts of a cell that overlap no obstacle. Cuts are those of [`clip`], but the halves that they remove are split

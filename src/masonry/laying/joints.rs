@@ -27,6 +27,12 @@ const GAIN: f64 = 0.03;
 /// How much area moved joints may lose, in areas of half bricks.
 const LOSS: f64 = 0.02;
 
+/// Widths of pieces are compared in steps of a metre over this.
+const WIDTHS: f64 = 500.0;
+
+/// Widths that differ by less may be equal but for rounding (metres).
+const ROUNDING: f64 = 1e-9;
+
 /// Places of bricks in a row that lie beside each other.
 type BrickPlaces = SmallVec<[GridPlace; 2]>;
 
@@ -75,7 +81,7 @@ impl Site {
         k: usize,
     ) -> Option<(Range<usize>, BrickPlaces)> {
         let half = self.plan.module.half;
-        let own = self.fit(id, &[bricks[k].place]);
+        let own = self.fit(id, &[bricks[k].place], 0.0);
         let own = own.filter(|own| own.width < THIN * half)?;
         let spans = [
             Some(k..k + 1),
@@ -85,11 +91,14 @@ impl Site {
         let mut best: Option<([i64; 3], Range<usize>, BrickPlaces)> = None;
         for span in spans.into_iter().flatten() {
             let places: Vec<GridPlace> = bricks[span.clone()].iter().map(|b| b.place).collect();
-            let Some(now) = self.fit(id, &places) else {
+            let Some(now) = self.fit(id, &places, 0.0) else {
                 continue;
             };
             for places in divisions(&places, half) {
-                let fit = self.fit(id, &places);
+                // Narrower pieces are not better, or not the best ones.
+                let so_far = best.as_ref().map_or(0, |([width, ..], ..)| *width);
+                let least = own.least_gain(half).max(RowFit::least_width(so_far));
+                let fit = self.fit(id, &places, least - ROUNDING);
                 let better = |fit: &RowFit| fit.is_better(&now, &own, half, &places);
                 if let Some(fit) = fit.filter(better) {
                     let rank = fit.rank(places.len());
@@ -102,14 +111,18 @@ impl Site {
         best.map(|(_, span, places)| (span, places))
     }
 
-    /// How good places are; none if nothing is laid in one of them.
-    fn fit(&self, id: FaceId, places: &[GridPlace]) -> Option<RowFit> {
+    /// How good places are; none if nothing is laid in one of them, or a piece that is narrower than `least` (metres).
+    fn fit(&self, id: FaceId, places: &[GridPlace], least: f64) -> Option<RowFit> {
         let mut fit = RowFit {
             width: f64::MAX,
             length: 0.0,
             areas: [0.0, f64::MAX],
         };
         for place in places {
+            // No piece is wider than its place.
+            if (place.high - place.low).min_element() < least {
+                return None;
+            }
             let whole = place.footprint();
             let pieces = match self.faces[id.index()].coverage_of(place) {
                 Coverage::Occupied => return None,
@@ -117,7 +130,7 @@ impl Site {
                 Coverage::Partly => self.free_parts(id, &whole),
             };
             pieces.iter().for_each(|piece| fit.add(piece));
-            if pieces.is_empty() {
+            if pieces.is_empty() || fit.width < least {
                 return None;
             }
         }
@@ -133,18 +146,28 @@ impl RowFit {
         self.areas = [self.areas[0] + area, self.areas[1].min(area)];
     }
 
+    /// Pieces that are narrower are not better than these (metres).
+    fn least_gain(&self, half: f64) -> f64 {
+        self.width + GAIN * half
+    }
+
+    /// Narrower pieces have a lower rank than those whose rank begins with this number (metres).
+    fn least_width(rank: i64) -> f64 {
+        (rank as f64 - 0.5) / WIDTHS
+    }
+
     /// Whether pieces in `places` are better than those of today, of which `own` is the thin one.
     fn is_better(&self, now: &Self, own: &Self, half: f64, places: &[GridPlace]) -> bool {
         let height = places[0].high.y - places[0].low.y;
         let is_short = self.length <= (LONGEST * half).max(now.length + 1e-9);
         let has_lost = now.areas[0] - self.areas[0] > LOSS * half * height;
-        self.width > own.width + GAIN * half && is_short && !has_lost
+        self.width > own.least_gain(half) && is_short && !has_lost
     }
 
-    /// The greater, the better: by the least width (2 mm), by the number of places, and by the smallest area (1 square
+    /// The greater, the better: by the least width ([`WIDTHS`]), by the number of places, and by the smallest area (1 square
     /// centimetre). Whole numbers, so that rounding decides nothing.
     fn rank(&self, places: usize) -> [i64; 3] {
-        let [width, area] = [500.0 * self.width, 1e4 * self.areas[1]].map(f64::round);
+        let [width, area] = [WIDTHS * self.width, 1e4 * self.areas[1]].map(f64::round);
         [width as i64, -(places as i64), area as i64]
     }
 }
