@@ -19,7 +19,7 @@ export const desk = { width: 1280, height: 800 };
 const LEFT = /Failed to load ‘’\. A ServiceWorker intercepted the request/;
 
 /**
- * A low window, for tests that wait for refined frames of bodies: the picture has a third of the pixels. Rare tools are
+ * A low window, for tests that wait for frames of bodies: the picture has a third of the pixels. Rare tools are
  * folded in windows below 704 lines; all else is as on a desk.
  */
 export const low = { width: 1280, height: 560 };
@@ -124,7 +124,7 @@ export async function open({ files = dist, viewport: usual = desk, serve = (aske
  * @property {import('puppeteer-core').Viewport} [viewport]
  * @property {boolean} [dark] whether the system asks for a dark page
  * @property {boolean} [still] whether the system asks for less motion
- * @property {boolean} [fine] whether the finished picture is painted again in the screen's own pixels
+ * @property {boolean} [fine] whether the finished picture is painted again in the screen's own pixels, and frames of bodies are refined
  * @property {boolean} [sways] whether bodies sway once, as for a new visitor
  * @property {boolean} [stores] whether the page may store the site, for which it fetches all files
  * @property {(page: import('puppeteer-core').Page) => Promise<unknown>} [before] runs before the page is opened

@@ -142,7 +142,7 @@ for (const [link, part] of [[SMALL, '#layers-button'], [BALL, '#light-button'], 
       await digest(page);
       await page.waitForSelector('[data-key=cs], [data-key=cn], [data-key=c1], [data-key=building]');
       if (link !== SMALL) {
-        await page.waitForSelector('#sheet[data-turn=fine]');
+        await page.waitForSelector('#sheet[data-turn=still]');
         // The body in the middle of the frame has a card, with words that look like others of the page.
         await page.click('#turn');
         await page.waitForSelector('.turn-card[data-picked]', { visible: true });

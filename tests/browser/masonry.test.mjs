@@ -43,7 +43,7 @@ async function made(page) {
 /** Waits until all blocks are laid. @param {Page} page */
 const lit = (page) => page.waitForFunction(() => ['light', 'done'].includes(document.documentElement.dataset['stage'] ?? ''), { timeout: 60_000 });
 
-/** Waits until the laying is held, and the held frame is refined. @param {Page} page @param {number} blocks */
+/** Waits until the laying is held, and its frame has all pixels. @param {Page} page @param {number} blocks */
 async function held(page, blocks) {
   await page.waitForFunction((count) => document.querySelector('#play')?.getAttribute('data-does') === 'play' && Number(document.querySelector('#count-steps')?.textContent) === count, {}, blocks);
   await tells(page, new RegExp(`^${blocks} blocks, seen`));

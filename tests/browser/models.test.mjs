@@ -32,7 +32,7 @@ function cube(height) {
 const until = (page, key, value) => page.waitForFunction((name, text) => /** @type {any} */ (window).bubblestone.get(name) === text, {}, key, value);
 
 /** Waits until the last frame shows the present state. @param {Page} page */
-const seen = (page) => page.waitForSelector('#sheet[data-turn=fine]');
+const seen = (page) => page.waitForSelector('#sheet[data-turn=still]');
 
 /** The link and the digest of a box with 60 cells, which the first test makes. */
 let box60 = { fragment: '', digest: '' };

@@ -12,7 +12,7 @@ import { all, BALL, BRICKS, digest, frames, message, PILE, SMALL, SQUARE } from 
  * @property {(page: Page) => Promise<unknown>} [arrange] runs once the picture is done
  * @property {boolean} [few] most of the page is hidden, or behind a dialog
  * @property {boolean} [early] does not wait for the picture
- * @property {boolean} [space] shows bodies, whose refined frames take long in a high window
+ * @property {boolean} [space] shows bodies, whose frames take long in a high window
  */
 
 /** Clicks without scrolling, even if something covers the element. @param {string} selector */
@@ -115,23 +115,23 @@ export const states = {
     fragment: `${SQUARE}&camera=330,60`,
     space: true,
     arrange: async (page) => {
-      await page.waitForSelector('#sheet[data-turn=fine]');
+      await page.waitForSelector('#sheet[data-turn=still]');
       await page.focus('#turn');
       await page.keyboard.press('Enter');
       await page.waitForSelector('#turn-how');
       await page.keyboard.press('Enter');
       await page.waitForSelector('.turn-making', { visible: true });
-      await page.waitForSelector('#sheet[data-turn=fine]');
+      await page.waitForSelector('#sheet[data-turn=still]');
     },
   },
-  surface: { space: true, fragment: `${BALL}&view=direction`, arrange: (page) => page.waitForSelector('#sheet[data-turn=fine]') },
-  pile: { space: true, fragment: `${PILE}&cut=0,1,0,0.05`, arrange: (page) => page.waitForSelector('#sheet[data-turn=fine]') },
+  surface: { space: true, fragment: `${BALL}&view=direction`, arrange: (page) => page.waitForSelector('#sheet[data-turn=still]') },
+  pile: { space: true, fragment: `${PILE}&cut=0,1,0,0.05`, arrange: (page) => page.waitForSelector('#sheet[data-turn=still]') },
   masonry: {
     // The middle of the frame is a brick of an edge, which its card can turn.
     fragment: `${BRICKS}&camera=315,20,2.8,28,0,0.03`,
     space: true,
     arrange: async (page) => {
-      await page.waitForSelector('#sheet[data-turn=fine]');
+      await page.waitForSelector('#sheet[data-turn=still]');
       await page.focus('#turn');
       await page.keyboard.press('Enter');
       await page.waitForSelector('#turn-flip', { visible: true });

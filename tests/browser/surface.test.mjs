@@ -41,11 +41,11 @@ test('a surface shows its stones and nothing else, and is not left', sameEverywh
   assert.deepEqual(rows.filter((key) => ['size', 'strokes', 'spots', 'lines', 'model'].includes(key ?? '')), []);
   // Another palette changes the frame, and undo brings the first one back.
   await set(page, 'palette', 'marble');
-  await page.waitForFunction(() => document.querySelector('#sheet')?.getAttribute('data-turn') !== 'fine');
+  await page.waitForFunction(() => document.querySelector('#sheet')?.getAttribute('data-turn') !== 'still');
   await turned(page);
   assert.notEqual((await frame(page)).hash, first.hash);
   await click(page, '#undo');
-  await page.waitForFunction(() => document.querySelector('#sheet')?.getAttribute('data-turn') !== 'fine');
+  await page.waitForFunction(() => document.querySelector('#sheet')?.getAttribute('data-turn') !== 'still');
   await turned(page);
   assert.equal((await frame(page)).hash, first.hash);
   assert.deepEqual([problems, external], [[], []]);
@@ -173,7 +173,7 @@ test('a surface is taken away as a picture and a mesh, and compared with another
 
 test('in another page it is seen and turned, with a button beside it', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(`?embed${BALL}&camera=100,30`, { viewport: { width: 240, height: 240, deviceScaleFactor: 2 } });
-  await turned(page);
+  await turned(page, 'fine');
   const { width, height } = await frame(page);
   assert.deepEqual([width, height], [480, 480], 'the frame has the pixels of the screen');
   assert.match(await told(page), /^\d+ stones, seen from the left, 30 degrees/);
@@ -216,6 +216,7 @@ const states = (page) => page.evaluate(() => /** @type {any} */ (window).turns.s
 function welcomed(options = {}) {
   return site.newPage(BALL, {
     sways: true,
+    fine: true,
     ...options,
     before: (page) =>
       page.evaluateOnNewDocument(() => {
@@ -230,18 +231,18 @@ function welcomed(options = {}) {
 }
 
 test('bodies sway once for a new visitor, and come back to the camera of the link', async () => {
-  const usual = await site.newPage(BALL);
-  await turned(usual.page);
+  const usual = await site.newPage(BALL, { fine: true });
+  await turned(usual.page, 'fine');
   const rest = await frame(usual.page);
   const hash = await usual.page.evaluate(() => location.hash);
   await usual.close();
   const { page, problems, close } = await welcomed();
-  await turned(page);
+  await turned(page, 'fine');
   assert.ok((await states(page)).includes('moving'), String(await states(page)));
   assert.deepEqual(await frame(page), rest);
   assert.equal(await page.evaluate(() => location.hash), hash);
   await page.reload({ waitUntil: 'load' });
-  await turned(page);
+  await turned(page, 'fine');
   assert.ok(!(await states(page)).includes('moving'), 'it sways on the second visit');
   assert.deepEqual(problems, []);
   await close();
@@ -249,13 +250,13 @@ test('bodies sway once for a new visitor, and come back to the camera of the lin
 
 test('a touch ends the sway, or prevents it; less motion does, too', sameEverywhere, async () => {
   const still = await welcomed({ still: true });
-  await turned(still.page);
+  await turned(still.page, 'fine');
   assert.ok(!(await states(still.page)).includes('moving'));
   await still.close();
   const { page, close } = await welcomed();
   await page.waitForSelector('#turn');
   await page.keyboard.press('Shift');
-  await turned(page);
+  await turned(page, 'fine');
   assert.ok(!(await states(page)).includes('moving'));
   await close();
 });

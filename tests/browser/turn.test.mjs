@@ -262,9 +262,24 @@ test('a finger opens how a stone of a surface is made, and a link opens the same
   await close();
 });
 
-test('depth, normals, numbers and coverage are looked at instead of light', sameEverywhere, async () => {
-  const { page, problems, close } = await site.newPage(`${SMALL}&camera=330,60`);
+test('frames at rest are refined if the visitor wants fine pictures', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(`${SMALL}&camera=330,60`, { fine: true });
+  await turned(page, 'fine');
+  const refined = await frame(page);
+  await click(page, '#layers-button');
+  await click(page, '#fine');
   await turned(page);
+  assert.notEqual((await frame(page)).hash, refined.hash);
+  await click(page, '#fine');
+  await turned(page, 'fine');
+  assert.deepEqual(await frame(page), refined);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('depth, normals, numbers and coverage are looked at instead of light', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(`${SMALL}&camera=330,60`, { fine: true });
+  await turned(page, 'fine');
   const light = await frame(page);
   const seen = new Map();
   for (const [plane, last] of [['depth', 'still'], ['normal', 'still'], ['id', 'still'], ['alpha', 'fine'], ['light', 'fine']]) {
@@ -308,7 +323,7 @@ test('pictures are saved with nothing behind the bodies, and their planes', same
 
 test('in another page it opens from its link, and lets go of the wheel', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(`?embed${SMALL}&camera=100,30`, { viewport: { width: 480, height: 480 } });
-  await turned(page);
+  await turned(page, 'fine');
   assert.match(await told(page), /^\d+ stones, seen from the left, 30 degrees/);
   const free = await page.$eval('#turn', (stand) => [100, -100].map((deltaY) => stand.dispatchEvent(new WheelEvent('wheel', { deltaY, bubbles: true, cancelable: true }))));
   assert.deepEqual(free, [true, true]);

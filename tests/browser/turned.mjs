@@ -2,8 +2,11 @@
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
-/** Waits until the wanted frame is refined to the end, or in another state. @param {Page} page @param {string} [word] */
-export const turned = (page, word = 'fine') => page.waitForSelector(`#sheet[data-turn="${word}"]`);
+/**
+ * Waits until the wanted frame has all pixels, or is in another state. It is refined only on pages that are opened with `fine`.
+ * @param {Page} page @param {string} [word]
+ */
+export const turned = (page, word = 'still') => page.waitForSelector(`#sheet[data-turn="${word}"]`);
 
 /** A hash of a frame, its number of colours, and its sides. @param {Page} page @param {string} [canvas] */
 export const frame = (page, canvas = '#turn canvas') =>
@@ -17,13 +20,13 @@ export const frame = (page, canvas = '#turn canvas') =>
     return { hash, colours: new Set(pixels).size, width, height };
   });
 
-/** The hash of the refined frame. @param {Page} page @returns {Promise<number>} */
+/** The hash of the frame at rest. @param {Page} page @returns {Promise<number>} */
 export async function hash(page) {
   await turned(page);
   return (await frame(page)).hash;
 }
 
-/** The hash of the first refined frame that differs from the one with the hash `before`. @param {Page} page @param {number} before */
+/** The hash of the first frame at rest that differs from the one with the hash `before`. @param {Page} page @param {number} before */
 export async function other(page, before) {
   for (;;) {
     const now = await hash(page);

@@ -11,6 +11,11 @@ export function wantsFine(): boolean {
   return choice === undefined ? !connection?.saveData : choice === 'yes';
 }
 
+/** Whether frames of bodies are refined: unless the visitor chose otherwise, as that loads nothing. */
+export function refinesBodies({ state }: Store): boolean {
+  return state.fine || kept(CHOICE) === undefined;
+}
+
 /** Only these views end with the picture, which alone can be painted finer. */
 const PICTURES = ['auto', 'picture'];
 

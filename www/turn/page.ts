@@ -6,6 +6,7 @@ import { mark } from '../base/marks';
 import { alertOf, clear } from '../base/messages';
 import { isSettled } from '../module/stages';
 import { firstCamera } from '../state/asked-view';
+import { refinesBodies } from '../state/fine';
 import type { Camera } from '../state/viewing';
 import type { Work } from '../state/work';
 import type { PictureHost } from '../picture/host';
@@ -30,7 +31,7 @@ export class PageTurntable {
     view.noted = (word) => this.note(word);
     const { store } = work;
     this.both = new Turntables(host, this.place(), { leave: () => store.update({ turn: false }) });
-    store.on(['recipe', 'held', 'camera', 'cut'], () => this.both.shown?.follow());
+    store.on(['recipe', 'held', 'camera', 'cut', 'fine'], () => this.both.shown?.follow());
     store.on(['make'], ({ turn }) => this.show(turn));
     store.on(['preset'], ({ turn }) => this.face(turn));
     // Editing, comparing and repeating need the picture. The mode chosen last ends the other modes.
@@ -83,6 +84,7 @@ export class PageTurntable {
       generator: () => engine.generator,
       link: () => store.state.recipe,
       held: () => store.state.held,
+      refines: () => refinesBodies(store),
       get: (key) => engine.get(key),
       camera: () => store.state.camera,
       take: (camera) => store.update({ camera }),

@@ -37,6 +37,8 @@ export interface Surroundings {
   /** The recipe's link, whether a control is being dragged, and the recipe's values. */
   link(): string;
   held(): boolean;
+  /** Whether frames at rest are refined; they are if this is missing. */
+  refines?(): boolean;
   get(key: string): string;
   /** The camera; undefined for the usual one. */
   camera(): Camera | undefined;
@@ -212,7 +214,7 @@ export class Turntable {
     const { making, place } = this;
     const cut = making.subject === '' ? place.cut?.() : undefined;
     this.cutTool.show(cut, making.subject !== '' || !place.generator().offers.includes('cut'));
-    const wish = { link: place.link(), subject: making.subject, camera: cameraWords(this.sway.of(this.camera), homeOf(place.generator())), width, height, plane: this.plane, cut: wholeBodies(cut), moving: this.moving || this.sway.goes || place.held() };
+    const wish = { link: place.link(), subject: making.subject, camera: cameraWords(this.sway.of(this.camera), homeOf(place.generator())), width, height, plane: this.plane, cut: wholeBodies(cut), moving: this.moving || this.sway.goes || place.held(), refined: place.refines?.() ?? true };
     place.only?.(making.subject, this.camera);
     this.state(this.frames.want(wish) ? 'coming' : this.reached);
   }

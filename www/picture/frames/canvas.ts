@@ -64,7 +64,7 @@ export class FrameCanvas {
     const fine = Math.min(devicePixelRatio, MOST / Math.max(clientWidth, clientHeight));
     const [width, height] = [clientWidth, clientHeight].map((side) => Math.round(side * fine)) as [number, number];
     const home = homeOf(engine.generator);
-    this.painter.want({ link: engine.link(), subject: '', camera: cameraWords(sight.camera?.() ?? home, home), width, height, plane: 'light', cut: engine.offers('cut') ? wholeBodies(sight.cut?.()) : '', moving: sight.held?.() === true || this.stopping !== 0 });
+    this.painter.want({ link: engine.link(), subject: '', camera: cameraWords(sight.camera?.() ?? home, home), width, height, plane: 'light', cut: engine.offers('cut') ? wholeBodies(sight.cut?.()) : '', moving: sight.held?.() === true || this.stopping !== 0, refined: true });
   }
 
   private show(frame: ImageBitmap): void {

@@ -8,13 +8,13 @@ import type { Quality, Wished } from './source';
 const COARSE = { least: 2, most: 5, slow: 140, quick: 45 };
 
 /** The frames of a view at rest, in their order. Planes of depth, normals and numbers have one sample. */
-export function ladderOf({ plane }: Pick<Wished, 'plane'>): readonly Quality[] {
-  return ['moving', plane === 'light' || plane === 'alpha' ? 'fine' : 'still'];
+export function ladderOf({ plane, refined }: Pick<Wished, 'plane' | 'refined'>): readonly Quality[] {
+  return ['moving', refined && (plane === 'light' || plane === 'alpha') ? 'fine' : 'still'];
 }
 
 /** A key of the view: requests with the same key need the same frames. */
-export function viewOf({ link, subject, camera, width, height, plane, cut }: Wished): string {
-  return [link, subject, camera, width, height, plane, cut].join(' ');
+export function viewOf({ link, subject, camera, width, height, plane, cut, refined }: Wished): string {
+  return [link, subject, camera, width, height, plane, cut, refined].join(' ');
 }
 
 /** Adapts the number of pixels of moving frames to their times. */

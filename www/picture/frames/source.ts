@@ -24,6 +24,8 @@ export interface Wished {
   readonly cut: string;
   /** Whether the next request will come soon. */
   readonly moving: boolean;
+  /** Whether a frame at rest is refined, if its plane can be. */
+  readonly refined: boolean;
 }
 
 /**
