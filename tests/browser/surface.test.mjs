@@ -8,7 +8,7 @@ import { low, open } from './harness.mjs';
 import { all, BALL, click, digest, frames, get, link, phone, reloading, set, SMALL } from './page.mjs';
 import { dialog, opened, saved } from './saved.mjs';
 import { box, drag, spot } from './sheet.mjs';
-import { frame, tells, told, turned } from './turned.mjs';
+import { frame, other, tells, told, turned } from './turned.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -41,13 +41,9 @@ test('a surface shows its stones and nothing else, and is not left', sameEverywh
   assert.deepEqual(rows.filter((key) => ['size', 'strokes', 'spots', 'lines', 'model'].includes(key ?? '')), []);
   // Another palette changes the frame, and undo brings the first one back.
   await set(page, 'palette', 'marble');
-  await page.waitForFunction(() => document.querySelector('#sheet')?.getAttribute('data-turn') !== 'still');
-  await turned(page);
-  assert.notEqual((await frame(page)).hash, first.hash);
+  const marble = await other(page, first.hash);
   await click(page, '#undo');
-  await page.waitForFunction(() => document.querySelector('#sheet')?.getAttribute('data-turn') !== 'still');
-  await turned(page);
-  assert.equal((await frame(page)).hash, first.hash);
+  assert.equal(await other(page, marble), first.hash);
   assert.deepEqual([problems, external], [[], []]);
   await close();
 });
