@@ -26,7 +26,7 @@ export async function run(module) {
     { ours: 'recipe to finished bodies, rice ball without its picture', theirs: 'recipe to picture, default pavement', most: 15 },
     { ours: 'the house, laid', theirs: 'recipe to picture, default pavement', most: 0.25 },
     { ours: 'a thousand bricks of the house of small bricks', theirs: 'a thousand bricks of the house', most: 1.2 },
-    { ours: "from a moved window to the house's first frame", theirs: 'recipe to picture, default pavement', most: 0.75 },
+    { ours: "from a moved window to the first frame", theirs: 'recipe to picture, default pavement', most: 0.75 },
     { ours: 'house of 256 x 256, turning', theirs: 'light moved, parallel', most: 5 },
     { ours: 'house of small bricks of 256 x 256, turning', theirs: 'light moved, parallel', most: 15 },
     { ours: 'house of 512 x 512, still with its shadows', theirs: 'light moved, parallel', most: 25 },
