@@ -24,41 +24,35 @@ fn corners_have_the_classes_of_the_paper() {
         classes(&of(Rule::Block, &[])),
         BTreeMap::from([([3, 3, 0], 8)])
     );
-    // An L without windows. The wing's roof meets the main house at three corners: in the slope, above the inner
-    // corner, and at the foot of the other valley.
-    let l = of(Rule::LHouse, &[44.0, 36.0, 18.0, 16.0, 34.0, 0.0]);
-    assert_eq!(
-        classes(&l),
-        BTreeMap::from([
+    // An L with its door alone, and with a window in each of the other walls, too. The wing's roof meets the main house at
+    // three corners: in the slope, above the inner corner, and at the foot of the other valley. Each opening has four rim
+    // corners, and four at its pane.
+    let l = [0.0, 1.0].map(|windows| {
+        let numbers = [44.0, 36.0, 18.0, 16.0, 34.0, windows, 0.0];
+        of(Rule::LHouse, &numbers)
+    });
+    for (building, openings) in l.iter().zip([1, 6]) {
+        let panes = building.faces().iter();
+        let panes = panes.filter(|face| face.labels == [labels::GLASS]);
+        assert_eq!(panes.count(), openings);
+        let wanted = [
+            ([3, 0, 3], 4 * openings),
             ([3, 1, 2], 1),
-            ([3, 2, 1], 2),
+            ([3, 2, 1], 2 + 4 * openings),
             ([3, 3, 0], 13),
-            ([4, 2, 2], 1)
-        ])
-    );
-    let mut inner = l
+            ([4, 2, 2], 1),
+        ];
+        assert_eq!(classes(building), BTreeMap::from(wanted));
+    }
+    let [bare, windows] = l;
+    let mut inner = bare
         .corners()
         .iter()
-        .filter(|corner| corner.class.concave == 1 && l.vertex(corner.vertex).position.y == 0.0);
+        .filter(|corner| corner.class.concave == 1 && bare.vertex(corner.vertex).position.y == 0.0);
     assert_eq!(
         inner.next().map(|corner| corner.class.single_concave),
         Some(Some(Heading::Up))
     );
-    // With a window in each of the walls, and a door in one: each has four rim corners, and four at its pane.
-    let windows = of(Rule::LHouse, &[44.0, 36.0, 18.0, 16.0, 34.0, 1.0, 0.0]);
-    let panes = windows
-        .faces()
-        .iter()
-        .filter(|face| face.labels == [labels::GLASS])
-        .count();
-    let wanted = [
-        ([3, 0, 3], 4 * panes),
-        ([3, 1, 2], 1),
-        ([3, 2, 1], 2 + 4 * panes),
-        ([3, 3, 0], 13),
-        ([4, 2, 2], 1),
-    ];
-    assert_eq!((panes, classes(&windows)), (6, BTreeMap::from(wanted)));
     let is_rim = |corner: &&Corner| corner.labels.iter().any(|label| label == labels::SILL);
     for corner in windows.corners().iter().filter(is_rim) {
         assert_eq!(corner.class.single_concave, Some(Heading::Level));
