@@ -65,7 +65,7 @@ pub fn timings(clock: Clock) -> Vec<Timing> {
     timings
 }
 
-/// Times the way from a window that is moved by a module to the first frame of the house.
+/// Times the way from a window that is moved by a module to the first frame of the walls.
 fn moved_window(clock: Clock) -> Timing {
     let recipe = |left: usize| {
         ALL.recipe(&format!("{YARD}&openings=1,{left},10,6,12,1{OTHERS}"))

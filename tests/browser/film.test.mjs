@@ -6,6 +6,7 @@ import { sameEverywhere } from './browsers.mjs';
 import { low, open } from './harness.mjs';
 import { click, digest, message, phone, SMALL } from './page.mjs';
 import { handed, keeping } from './saved.mjs';
+import { turned } from './turned.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -186,7 +187,7 @@ test('a film of the turntable goes round once, and loops', sameEverywhere, async
   // The film is saved as an animation, which has a third of the frames.
   const { page, problems, close } = await opened('#size=128&cs=26&camera=20,50', { films: false, viewport: low });
   await digest(page);
-  await page.waitForSelector('#sheet[data-turn=still]');
+  await turned(page);
   await click(page, '#save');
   await page.waitForSelector('#save-turn-film:enabled');
   await handed(page, () => click(page, '#save-turn-film'));

@@ -4,6 +4,7 @@ import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
 import { desk, low, open } from './harness.mjs';
 import { all, BALL, BRICKS, canvas, digest, frames, get, messages, phone, PILE, set, SMALL } from './page.mjs';
+import { turned } from './turned.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -142,7 +143,7 @@ for (const [link, part] of [[SMALL, '#layers-button'], [BALL, '#light-button'], 
       await digest(page);
       await page.waitForSelector('[data-key=cs], [data-key=cn], [data-key=c1], [data-key=building]');
       if (link !== SMALL) {
-        await page.waitForSelector('#sheet[data-turn=still]');
+        await turned(page);
         // The body in the middle of the frame has a card, with words that look like others of the page.
         await page.click('#turn');
         await page.waitForSelector('.turn-card[data-picked]', { visible: true });

@@ -7,6 +7,7 @@ import { low, open } from './harness.mjs';
 import { chooses, click, digest, drop, get, link, message, messages, phone, reloading, set, SMALL } from './page.mjs';
 import { opened, saved } from './saved.mjs';
 import { box } from './sheet.mjs';
+import { turned } from './turned.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -30,9 +31,6 @@ function cube(height) {
 
 /** Waits until a parameter has this value. @param {Page} page @param {string} key @param {string} value */
 const until = (page, key, value) => page.waitForFunction((name, text) => /** @type {any} */ (window).bubblestone.get(name) === text, {}, key, value);
-
-/** Waits until the last frame shows the present state. @param {Page} page */
-const seen = (page) => page.waitForSelector('#sheet[data-turn=still]');
 
 /** The link and the digest of a box with 60 cells, which the first test makes. */
 let box60 = { fragment: '', digest: '' };
@@ -124,7 +122,7 @@ test('a model that the present cells cannot cover is opened, and one press takes
   // Numbers of the earlier run do not stand beside a refusal, and a sentence tells that its picture does.
   const counts = () => page.$$eval('#counts dd, #timeline output', (all) => all.map((one) => one.textContent));
   await page.waitForSelector('#moment:not(:disabled)');
-  await seen(page);
+  await turned(page);
   const [, cells] = await counts();
   assert.ok(Number(cells) > 60, `${cells} cells`);
   await set(page, 'cn', '60');
@@ -261,7 +259,7 @@ test("the file of a stranger's recipe neither changes nor removes a kept model",
 test('strokes are painted on the surface, one step each, and taken away by a click', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage('#v=1&make=surface&size=128&cn=100&form=sphere');
   await digest(page);
-  await seen(page);
+  await turned(page);
   await click(page, '#paint-strokes');
   const { x, y, width, height } = await box(page, '#turn');
   const [cx, cy] = [x + width / 2, y + height / 2];
@@ -281,17 +279,17 @@ test('strokes are painted on the surface, one step each, and taken away by a cli
   await until(page, 'strokes', '');
   await click(page, '#redo');
   await page.waitForFunction(() => /** @type {any} */ (window).bubblestone.get('strokes') !== '');
-  await seen(page);
+  await turned(page);
   await click(page, '#paint-erase');
   await page.mouse.click(cx, cy - 15);
   await until(page, 'strokes', '');
   // By keyboard: two points in the middle of the view, and the end of the line.
-  await seen(page);
+  await turned(page);
   await click(page, '#paint-lines');
   await page.focus('#turn');
   await page.keyboard.press('Enter');
   for (const key of ['ArrowLeft', 'ArrowLeft']) await page.keyboard.press(key);
-  await seen(page);
+  await turned(page);
   await page.keyboard.press('Enter');
   await page.waitForFunction(() => /^Point 2/.test(document.querySelector('#paint-told')?.textContent ?? ''));
   await page.keyboard.press('Enter');
@@ -305,7 +303,7 @@ test('strokes are painted on the surface, one step each, and taken away by a cli
 test('with a tool one finger paints, and two turn the model', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage('#v=1&make=surface&size=128&cn=100&form=sphere', { viewport: phone });
   await digest(page);
-  await seen(page);
+  await turned(page);
   const painting = await page.waitForSelector('#paint-strokes');
   await painting?.tap();
   await page.waitForSelector('.turn-frame[data-paint]');
@@ -317,7 +315,7 @@ test('with a tool one finger paints, and two turn the model', sameEverywhere, as
   for (let k = 1; k <= 5; k += 1) for (const [which, finger] of fingers.entries()) await finger.move(cx + (which ? 1 : -1) * (15 + 15 * k), cy);
   for (const finger of fingers) await finger.end();
   await page.waitForFunction((then) => document.querySelector('#turn-seen')?.textContent !== then, {}, before);
-  await seen(page);
+  await turned(page);
   assert.equal(await get(page, 'strokes'), '');
   const finger = await page.touchscreen.touchStart(cx - 40, cy);
   for (let k = 1; k <= 4; k += 1) await finger.move(cx - 40 + 20 * k, cy);

@@ -4,6 +4,7 @@ import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
 import { low, open } from './harness.mjs';
 import { BALL, click, digest, frames, phone, SMALL } from './page.mjs';
+import { turned } from './turned.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -34,7 +35,7 @@ test('a generator without a part of the page has no keys of it, and what was ope
   await page.waitForSelector('#layers', { visible: true });
   await page.evaluate((fragment) => (location.hash = fragment), BALL);
   await page.waitForSelector('.make[data-make=surface][aria-current]');
-  await page.waitForSelector('#sheet[data-turn=still]');
+  await turned(page);
   await page.waitForSelector('#layers', { hidden: true });
   for (const key of ['e', 'o', 't', 'p']) await page.keyboard.press(key);
   // If the light appears, the keys before it have been handled, too.
@@ -59,7 +60,7 @@ test('a generator without a part of the page has no keys of it, and what was ope
 
 test('a link of a generator without cells opens with no stop for Tab on them', sameEverywhere, async () => {
   const { page, close } = await site.newPage(BALL);
-  await page.waitForSelector('#sheet[data-turn=still]');
+  await turned(page);
   assert.equal(await page.$eval('#cells', (cells) => cells.checkVisibility()), false);
   const { x, y, width } = await page.$eval('#turn', (turn) => turn.getBoundingClientRect().toJSON());
   await page.mouse.move(x + width / 2, y + width / 2);

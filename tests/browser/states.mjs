@@ -1,6 +1,7 @@
 // States of the page that together show each of its parts once, and the steps to reach them. Tests check all of them.
 // Their pictures are in target/page-pictures/.
 import { all, BALL, BRICKS, digest, frames, message, PILE, SMALL, SQUARE } from './page.mjs';
+import { turned } from './turned.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -115,23 +116,23 @@ export const states = {
     fragment: `${SQUARE}&camera=330,60`,
     space: true,
     arrange: async (page) => {
-      await page.waitForSelector('#sheet[data-turn=still]');
+      await turned(page);
       await page.focus('#turn');
       await page.keyboard.press('Enter');
       await page.waitForSelector('#turn-how');
       await page.keyboard.press('Enter');
       await page.waitForSelector('.turn-making', { visible: true });
-      await page.waitForSelector('#sheet[data-turn=still]');
+      await turned(page);
     },
   },
-  surface: { space: true, fragment: `${BALL}&view=direction`, arrange: (page) => page.waitForSelector('#sheet[data-turn=still]') },
-  pile: { space: true, fragment: `${PILE}&cut=0,1,0,0.05`, arrange: (page) => page.waitForSelector('#sheet[data-turn=still]') },
+  surface: { space: true, fragment: `${BALL}&view=direction`, arrange: (page) => turned(page) },
+  pile: { space: true, fragment: `${PILE}&cut=0,1,0,0.05`, arrange: (page) => turned(page) },
   masonry: {
     // The middle of the frame is a brick of an edge, which its card can turn.
     fragment: `${BRICKS}&camera=315,20,2.8,28,0,0.03`,
     space: true,
     arrange: async (page) => {
-      await page.waitForSelector('#sheet[data-turn=still]');
+      await turned(page);
       await page.focus('#turn');
       await page.keyboard.press('Enter');
       await page.waitForSelector('#turn-flip', { visible: true });
