@@ -18,6 +18,8 @@ interface CardActs {
   outline(id: number | undefined): void;
   /** The pixels at the top of the frame that hold tools; no card covers them. */
   tools(): number;
+  /** Takes the camera home, as a double click on the frame does. */
+  home(): void;
 }
 
 export class Card {
@@ -25,15 +27,17 @@ export class Card {
   private readonly acts: CardActs;
   /** The body that was clicked or picked by a key: its card stays. */
   picked: BodyInfo | undefined;
-  /** Whether a press began on the card that is shown. */
-  private pressed = false;
+  /** The presses on the card that is shown. */
+  private presses = 0;
 
   constructor(acts: CardActs) {
     this.acts = acts;
     this.element.hidden = true;
-    this.element.addEventListener('pointerdown', () => (this.pressed = true));
-    // In a small frame the card may come under the finger that picks the body: the click of that tap is not for its buttons.
-    this.element.addEventListener('click', (event) => !this.pressed && event.detail > 0 && event.stopPropagation(), { capture: true });
+    this.element.addEventListener('pointerdown', () => (this.presses += 1));
+    // In a small frame the card may come under the pointer that picks the body. A click, or a double click, that began
+    // before is not for the card's buttons, but for the frame.
+    this.element.addEventListener('click', (event) => this.presses < event.detail && event.stopPropagation(), { capture: true });
+    this.element.addEventListener('dblclick', () => this.presses < 2 && acts.home());
     for (const sign of ['click', 'dblclick', 'pointerdown', 'pointermove', 'touchstart']) this.element.addEventListener(sign, (event) => event.stopPropagation());
   }
 
@@ -47,7 +51,7 @@ export class Card {
     this.acts.outline(this.picked?.id);
     element.toggleAttribute('data-picked', picked);
     element.parentElement?.toggleAttribute('data-carded', picked);
-    this.pressed = false;
+    this.presses = 0;
     const name = called(body, sort);
     element.replaceChildren(make('strong', {}, name), ...cellRows(body.figures, body.words, name));
     if (picked && hasSteps(body, sort)) this.offer('turn-how', t('how'), () => this.acts.how(body));

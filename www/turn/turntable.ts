@@ -119,7 +119,7 @@ export class Turntable {
   constructor(place: Surroundings) {
     this.place = place;
     this.making = new Making({ get: (key) => place.get(key), show: () => this.follow(), end: () => this.all() });
-    this.card = new Card({ how: (body) => this.how(body), flip: (body) => this.flipOf(body), outline: (id) => this.outline.of(id), tools: () => Math.max(0, ...this.tools.map(({ offsetTop, offsetHeight }) => offsetTop + offsetHeight)) });
+    this.card = new Card({ how: (body) => this.how(body), flip: (body) => this.flipOf(body), outline: (id) => this.outline.of(id), tools: () => Math.max(0, ...this.tools.map(({ offsetTop, offsetHeight }) => offsetTop + offsetHeight)), home: () => this.home() });
     const heard: Heard = {
       frame: (frame, quality, bodies, latest) => this.show(frame, quality, bodies, latest),
       working: (done) => (this.bar.value = done),
@@ -260,6 +260,7 @@ export class Turntable {
 
   private home(): void {
     this.gestures.stop();
+    this.pointed += 1;
     this.take(this.making.subject === '' ? this.first : BODY, false);
   }
 
