@@ -65,8 +65,8 @@ pub struct Generator {
     /// The views that the page can show.
     pub views: Views,
     /// Words of the page's parts that it needs. A picture in a plane has `outline` (the editor), `probe`, `plots`,
-    /// `layers`, `tiles`, `svg`, `maps` (with larger pictures), `slab` (its relief for printing), and `turn` (its
-    /// bodies seen from a slant). A generator without such a picture has `frames`: only frames of its bodies are
+    /// `tiles`, `svg`, `maps` (with larger pictures), `slab` (its relief for printing), and `turn` (its bodies seen from
+    /// a slant). A generator without such a picture has `frames`: only frames of its bodies are
     /// shown, `paint` paints on these, and `cut` cuts their bodies away beyond a plane. `models` opens files. All may
     /// have `compare`, `mesh` and `forming`; with `places`, the places of bodies that share meshes are saved; with
     /// `moves`, cells move, come and go while they form, which is counted; with `bodies`, bodies are counted instead of

@@ -31,9 +31,20 @@ test('a surface shows its stones and nothing else, and is not left', sameEverywh
   assert.ok(first.colours > 100, `${first.colours} colours`);
   assert.match(await told(page), /^\d+ stones, seen from the front right, 20 degrees above the ground, from near\.$/);
   await page.focus('#turn');
-  for (const key of ['Escape', 'g', 'e', 't', 'p', 'o']) await page.keyboard.press(key);
+  for (const key of ['Escape', 'g', 'e', 't', 'p']) await page.keyboard.press(key);
   assert.notEqual(await page.$('#turn'), null);
-  assert.deepEqual(await seen(page, ['canvas', 'edit-tools', 'cells', 'layers-button', 'tile-button', 'turn-button', 'turn-end', 'plots-button', 'compare-button', 'light-button', 'turn']), ['compare-button', 'light-button', 'turn']);
+  assert.deepEqual(await seen(page, ['canvas', 'edit-tools', 'cells', 'layers-button', 'tile-button', 'turn-button', 'turn-end', 'plots-button', 'compare-button', 'light-button', 'turn']), ['layers-button', 'compare-button', 'light-button', 'turn']);
+  // There is nothing to draw over frames, but each view has a sentence.
+  await page.keyboard.press('o');
+  await page.waitForSelector('#layers', { visible: true });
+  assert.deepEqual(await page.$$eval('#layers legend', (legends) => legends.filter((legend) => legend.checkVisibility()).map(({ textContent }) => textContent)), ['Drawn', 'On this screen']);
+  await page.click('#layers [value=curvature]');
+  await page.waitForFunction(() => /bends at each place/.test(document.querySelector('.layers-legend dd')?.textContent ?? ''));
+  assert.equal(await page.$eval('#view', (select) => /** @type {HTMLSelectElement} */ (select).value), 'curvature');
+  await page.click('#layers [value=auto]');
+  await page.keyboard.press('Escape');
+  await page.waitForSelector('#layers', { hidden: true });
+  await turned(page);
   // The panel has only the numbers of this shape, and no parameter that is drawn on a picture.
   await all(page);
   const rows = await page.$$eval('.control', (controls) => controls.filter((control) => control.checkVisibility({ contentVisibilityAuto: true })).map((control) => control.getAttribute('data-key')));

@@ -1,4 +1,4 @@
-/** The choice of view and overlays, with a sentence about each. */
+/** The choice of view and overlays, with a sentence about each, and of fine pictures. */
 import { overlayIn, t } from '../words/look';
 import { viewIn } from '../words/words';
 import { byId, make } from '../base/dom';
@@ -10,7 +10,7 @@ import '../styles/late/look.css';
 export class Layers {
   private readonly store: Store;
   private readonly view: View;
-  private readonly box = make('section', { class: 'layers-box', id: 'layers', 'aria-label': t('layers_over') });
+  private readonly box = make('section', { class: 'layers-box', id: 'layers', 'aria-labelledby': 'layers-button' });
   private bases: HTMLInputElement[] = [];
   private overlays: HTMLInputElement[] = [];
   /** The words of the views and overlays that have a box. */
@@ -50,7 +50,7 @@ export class Layers {
     this.overlays = overlays.map((word) => make('input', { type: 'checkbox', value: word }));
     const over = group(t('layers_over'), this.overlays, overlays.map((word) => overlayIn(word)[0]));
     over.hidden = !overlays.length;
-    this.box.replaceChildren(over, group(t('layers_base'), this.bases, bases.map(viewIn)), group(t('layers_screen'), [this.fine], [t('fine')]), this.legend);
+    this.box.replaceChildren(over, group(t(overlays.length ? 'layers_base' : 'layers_alone'), this.bases, bases.map(viewIn)), group(t('layers_screen'), [this.fine], [t('fine')]), this.legend);
     for (const radio of this.bases) radio.addEventListener('change', () => this.store.update({ view: radio.value }));
     for (const check of this.overlays) {
       check.addEventListener('change', () => this.store.update({ overlays: this.overlays.filter(({ checked }) => checked).map(({ value }) => value) }));

@@ -78,7 +78,7 @@ function bind(): void {
     { keys: ['+', '=', '-'], shown: ['+', '-'], word: 'zoom', act: (key) => byId(key === '-' ? 'zoom-out' : 'zoom-in').click(), repeats: true },
     { keys: ['f'], word: 'fit', act: press('zoom-fit') },
     { keys: ['l'], word: 'light', act: press('light-button') },
-    { keys: ['o'], word: 'layers', part: 'layers', act: press('layers-button') },
+    { keys: ['o'], word: 'layers', act: press('layers-button') },
     { keys: ['g'], word: 'slant', part: 'turn', act: turn },
     { keys: ['t'], word: 'repeat', part: 'tiles', act: press('tile-button') },
     { keys: ['v'], word: 'compare', part: 'compare', act: press('compare-button') },

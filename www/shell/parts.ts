@@ -8,7 +8,6 @@ import type { View } from '../picture/view';
 export const OFFERED = [
   ['outline', 'edit-tools'],
   ['probe', 'cells'],
-  ['layers', 'layers-button'],
   ['tiles', 'tile-button'],
   ['compare', 'compare-button'],
   ['turn', 'turn-button'],

@@ -76,8 +76,8 @@ pub static PAVEMENT: Generator = Generator {
         overlays: &Overlay::WORDS,
     },
     offers: &[
-        "outline", "probe", "plots", "layers", "tiles", "compare", "turn", "svg", "maps", "slab",
-        "mesh", "forming", "moves", "rewind", "steps",
+        "outline", "probe", "plots", "tiles", "compare", "turn", "svg", "maps", "slab", "mesh",
+        "forming", "moves", "rewind", "steps",
     ],
     names: &["tile", "outline", "kind", "stone", "palette"],
     samples: &[],
