@@ -1,6 +1,7 @@
 /** The buttons for the figures that are edited over the canvas. They replace the caption. */
 import { t } from '../words/editor';
 import { make, say } from '../base/dom';
+import { onSlide } from '../base/slide';
 import type { Figure, FigureValue, Sort } from './geometry/figures';
 
 interface BarNeeds {
@@ -53,8 +54,7 @@ export class EditorBar {
     this.turnOver.addEventListener('click', () => needs.turnOver());
     this.remove.addEventListener('click', () => needs.remove());
     this.number.addEventListener('change', () => needs.value(this.number.valueAsNumber, true));
-    this.slide.addEventListener('input', () => needs.value(this.slide.valueAsNumber, false));
-    this.slide.addEventListener('change', () => needs.value(this.slide.valueAsNumber, true));
+    onSlide(this.slide, (last) => needs.value(this.slide.valueAsNumber, last));
     this.kinds.addEventListener('change', () => needs.value(this.kinds.selectedIndex, true));
     this.finish.addEventListener('click', () => needs.finish());
     this.cancel.addEventListener('click', () => needs.cancel());

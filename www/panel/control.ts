@@ -2,6 +2,7 @@
 import type { Parameter } from '../module/types';
 import { t } from '../words/words';
 import { make, say, symbol } from '../base/dom';
+import { onSlide } from '../base/slide';
 import { differs } from '../state/rules';
 import { fromPlace, isLogarithmic, onStep, stepOf, toPlace } from '../state/scale';
 import { shown } from './shown';
@@ -172,11 +173,9 @@ function whenMeant(slider: HTMLInputElement, report: (last: boolean) => void): v
     if (open) slider.value = open.value;
     scrolled = open !== undefined;
   });
-  for (const kind of ['input', 'change']) {
-    slider.addEventListener(kind, () => {
-      if (!open && !scrolled) report(kind === 'change');
-    });
-  }
+  onSlide(slider, (last) => {
+    if (!open && !scrolled) report(last);
+  });
 }
 
 /**

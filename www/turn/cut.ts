@@ -1,6 +1,7 @@
 /** The tool that cuts away all bodies beyond a plane, so that those behind it are seen. */
 import { t } from '../words/turn';
 import { make } from '../base/dom';
+import { onSlide } from '../base/slide';
 import type { Camera, Cut } from '../state/viewing';
 import { towards } from './camera';
 
@@ -35,7 +36,7 @@ export class CutTool {
     this.button.addEventListener('click', () => needs.take(this.cut ? undefined : this.plane('here'), false));
     // A click on the chosen direction takes that of the camera again.
     this.radios.forEach((radio, k) => radio.addEventListener('click', () => needs.take(this.plane(WAYS[k] ?? 'here'), false)));
-    for (const kind of ['input', 'change']) this.slider.addEventListener(kind, () => this.move(kind === 'input'));
+    onSlide(this.slider, (last) => this.move(!last));
     // Events here are neither for the frame nor for the picture below.
     for (const sign of ['click', 'dblclick', 'pointerdown', 'pointermove', 'touchstart', 'keydown']) this.element.addEventListener(sign, (event) => event.stopPropagation());
     // The plane's usual place is in the middle.
