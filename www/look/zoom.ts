@@ -134,6 +134,8 @@ export class Zoom {
 
   private move(event: PointerEvent): void {
     const { pointerId, pointerType, buttons } = event;
+    // A button that rose outside of the sheet, before it dragged the picture, is not heard there.
+    if (pointerType !== 'touch' && !buttons) this.release(event);
     const now = this.at(event);
     const before = this.down.get(pointerId);
     if (!before) {
