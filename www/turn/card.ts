@@ -29,6 +29,8 @@ export class Card {
   picked: BodyInfo | undefined;
   /** The presses on the card that is shown. */
   private presses = 0;
+  /** The place that the card is beside, in fractions of the frame's sides. */
+  private at: readonly [number, number] = [0, 0];
 
   constructor(acts: CardActs) {
     this.acts = acts;
@@ -58,6 +60,13 @@ export class Card {
     const flip = picked ? this.acts.flip(body) : undefined;
     if (flip) this.offer('turn-flip', t('flip'), flip);
     element.hidden = false;
+    this.at = [x, y];
+    this.put();
+  }
+
+  /** Puts the card beside its place, within the frame. */
+  put(): void {
+    const { element, picked, at: [x, y] } = this;
     const [wide, high] = [element.parentElement?.clientWidth ?? 0, element.parentElement?.clientHeight ?? 0];
     const along = (part: number, room: number, own: number, least: number): number => {
       const after = part * room + GAP;

@@ -80,7 +80,9 @@ export class Frames implements FrameSource {
   private hear(said: FrameMessage): void {
     const { heard } = this;
     if ('frame' in said) heard.frame(said.frame, said.quality, said.bodies, said.n === this.last?.n);
-    else if ('working' in said) heard.working(said.working);
+    else if ('kept' in said) {
+      if (said.n === this.last?.n) heard.kept(said.kept);
+    } else if ('working' in said) heard.working(said.working);
     else if ('ask' in said) {
       this.asked.get(said.ask)?.(said);
       this.asked.delete(said.ask);

@@ -85,7 +85,7 @@ export class Gestures {
     this.listen('pointerdown', (event) => this.press(event));
     this.listen('pointermove', (event) => this.move(event));
     this.listen('pointerup', (event) => this.release(event, true));
-    this.listen('pointercancel', (event) => this.release(event, false));
+    for (const sign of ['pointercancel', 'lostpointercapture'] as const) this.listen(sign, (event) => this.release(event, false));
     this.listen('pointerleave', ({ pointerType }) => {
       this.wheeled = false;
       // A finger leaves with its tap, whose answer is still to come.
@@ -104,12 +104,26 @@ export class Gestures {
     this.listen('click', () => undefined);
   }
 
+  /** Lets go of all pointers: the frame is gone, so it would not hear of their release. */
+  end(): void {
+    this.down.clear();
+    this.begun = undefined;
+    this.stand.toggleAttribute('data-held', false);
+    this.stop();
+  }
+
   /** Stops all motion that continues by itself. */
   stop(): void {
     cancelAnimationFrame(this.flying);
     clearTimeout(this.stopping);
     this.flying = this.stopping = 0;
     this.rest();
+  }
+
+  /** Ends a motion that still continues, before a press or a key that picks. */
+  private settle(): void {
+    if (this.flying || this.stopping) this.hands.take(this.hands.camera(), false);
+    this.stop();
   }
 
   /** Listens to an event, and keeps it from the picture below. */
@@ -137,11 +151,11 @@ export class Gestures {
 
   private press(event: PointerEvent): void {
     const { pointerId, button, pointerType, shiftKey, clientX: x, clientY: y } = event;
-    // A new press stops a motion that still continues.
-    if (this.flying || this.stopping) this.hands.take(this.hands.camera(), false);
-    this.stop();
+    this.settle();
     if (pointerType !== 'touch' && button > 2) return;
     this.down.set(pointerId, { x, y });
+    // A drag may leave the frame before it counts as one, and a card may come under the pointer.
+    this.stand.setPointerCapture(pointerId);
     this.begun = this.down.size === 1 ? { x, y, moves: false, ground: shiftKey || button > 0 } : undefined;
     this.trail = [];
   }
@@ -166,7 +180,6 @@ export class Gestures {
     if (!begun.moves && Math.hypot(dx, dy) < (touch ? SLACK.touch : SLACK.mouse)) return;
     // A vertical move scrolls the page.
     if (!begun.moves && touch && Math.abs(dy) > Math.abs(dx)) return;
-    if (!begun.moves) this.stand.setPointerCapture(event.pointerId);
     this.stand.toggleAttribute('data-held', true);
     begun.moves = true;
     const [from, to] = [this.spot(before), this.spot(now)];
@@ -251,8 +264,10 @@ export class Gestures {
     else if (key === '-') this.soon(nearer(camera, 1 / CLOSER));
     else if (key === '0' || key === 'Home') hands.home();
     else if (key === 'Escape') hands.leave();
-    else if (key === 'Enter') hands.enter();
-    else return;
+    else if (key === 'Enter') {
+      this.settle();
+      hands.enter();
+    } else return;
     event.preventDefault();
   }
 

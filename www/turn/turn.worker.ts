@@ -31,6 +31,8 @@ export type Question = (About | { outline: number; fine: number }) & { ask: numb
 
 export type FrameMessage =
   | { frame: ImageBitmap; n: number; quality: Quality; bodies: Bodies }
+  /** The last frame shows what is requested. */
+  | { kept: Quality; n: number }
   /** Progress, 0..1: first of the recipe, then of a frame. */
   | { working: number }
   | { ask: number; body: BodyInfo | undefined }
@@ -73,6 +75,8 @@ class Turner {
       if (!(await this.ready(wish))) continue;
       const piece = this.maker.advance(wish, BUDGET);
       if (!piece) {
+        const kept = this.maker.kept(wish);
+        if (kept) say({ kept, n: wish.n });
         if (this.wish === wish) this.wish = undefined;
       } else if ('refused' in piece) this.refuse(wish, piece.refused);
       else if ('working' in piece) say({ working: WORKED + (1 - WORKED) * piece.working });

@@ -107,6 +107,8 @@ export class Turntable {
   /** The state of the latest request, and the recipe of the frame that is shown. */
   private reached: Quality | 'coming' | 'refused' = 'coming';
   private shown = '';
+  /** The recipe of the latest request. */
+  private wanted = '';
   /** The timer that ends the worker once the turntable is off for long. */
   private ending = 0;
   /** The camera for one body. */
@@ -122,6 +124,7 @@ export class Turntable {
     this.card = new Card({ how: (body) => this.how(body), flip: (body) => this.flipOf(body), outline: (id) => this.outline.of(id), tools: () => Math.max(0, ...this.tools.map(({ offsetTop, offsetHeight }) => offsetTop + offsetHeight)), home: () => this.home() });
     const heard: Heard = {
       frame: (frame, quality, bodies, latest) => this.show(frame, quality, bodies, latest),
+      kept: (quality) => this.state(quality),
       working: (done) => (this.bar.value = done),
       refused: () => (this.making.subject === '' ? this.state('refused') : this.all()),
       ended: (how, why) => {
@@ -152,7 +155,10 @@ export class Turntable {
     this.stand.ariaLabel = this.isFramed ? `${t('name_space')}. ${t('keys_space')}` : `${t('name')}. ${t('keys')}`;
     // The keys of the steps and of the way back also work while the frame has the focus.
     this.stand.addEventListener('keydown', (event) => !event.defaultPrevented && this.making.step(event.key) && event.preventDefault());
-    new ResizeObserver(() => this.follow()).observe(this.stand);
+    new ResizeObserver(() => {
+      this.card.put();
+      this.follow();
+    }).observe(this.stand);
     // Words of the card, such as "Course", look like others of the page.
     addEventListener(RETOLD, () => this.card.picked && void this.point(...this.at, true));
   }
@@ -171,7 +177,7 @@ export class Turntable {
       return;
     }
     this.sway.end();
-    this.gestures.stop();
+    this.gestures.end();
     this.making.end();
     this.card.hide();
     this.moving = false;
@@ -215,6 +221,9 @@ export class Turntable {
     const cut = making.subject === '' ? place.cut?.() : undefined;
     this.cutTool.show(cut, making.subject !== '' || !place.generator().offers.includes('cut'));
     const wish = { link: place.link(), subject: making.subject, camera: cameraWords(this.sway.of(this.camera), homeOf(place.generator())), width, height, plane: this.plane, cut: wholeBodies(cut), moving: this.moving || this.sway.goes || place.held(), refined: place.refines?.() ?? true };
+    // The number of a body means another one in another recipe.
+    if (wish.link !== this.wanted) this.unpick();
+    this.wanted = wish.link;
     place.only?.(making.subject, this.camera);
     this.state(this.frames.want(wish) ? 'coming' : this.reached);
   }
@@ -245,7 +254,7 @@ export class Turntable {
       this.hint.remove();
       keep(DRAGGED, 'yes');
     }
-    this.card.hide();
+    this.unpick();
     if (this.making.subject !== '') this.beside = camera;
     else this.place.take(camera);
     this.follow();
@@ -253,14 +262,13 @@ export class Turntable {
 
   private slice(cut: Cut | undefined, moving: boolean): void {
     this.moving = moving;
-    this.card.hide();
+    this.unpick();
     this.place.slice?.(cut);
     this.follow();
   }
 
   private home(): void {
     this.gestures.stop();
-    this.pointed += 1;
     this.take(this.making.subject === '' ? this.first : BODY, false);
   }
 
@@ -320,6 +328,13 @@ export class Turntable {
   private named(body: BodyInfo | undefined): BodyInfo | undefined {
     const word = body?.words['type'];
     return body && word !== undefined ? { ...body, words: { ...body.words, type: componentIn(this.place.schema(), word) } } : body;
+  }
+
+  /** Closes the card of a body, and keeps a late answer from opening one. */
+  private unpick(): void {
+    this.pointed += 1;
+    if (this.card.element.contains(document.activeElement)) this.focus();
+    this.card.hide();
   }
 
   private unpoint(): void {

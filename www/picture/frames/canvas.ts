@@ -35,7 +35,7 @@ export class FrameCanvas {
   constructor(engine: Engine, loop: Beat, context: CanvasRenderingContext2D, sight: Sight) {
     [this.engine, this.context, this.sight] = [engine, context, sight];
     const none = (): void => undefined;
-    this.painter = new LocalFrames({ engine, loop, view: sight.view }, { frame: (frame) => this.show(frame), working: none, refused: none, ended: none });
+    this.painter = new LocalFrames({ engine, loop, view: sight.view }, { frame: (frame) => this.show(frame), kept: none, working: none, refused: none, ended: none });
     this.size.observe(context.canvas);
   }
 

@@ -31,6 +31,9 @@ export class LocalFrames implements FrameSource, Painter {
   /** Numbers of the last frame that was passed on, and of the last one that was shown. */
   private handed = 0;
   private shown = 0;
+  /** The last request that a frame was made for, or that needed none; and the end of that frame's way to the page. */
+  private met: Wished | undefined;
+  private showing = Promise.resolve();
 
   constructor(place: FrameContent, heard: Heard) {
     this.place = place;
@@ -100,16 +103,29 @@ export class LocalFrames implements FrameSource, Painter {
 
   advance(budget: number): boolean {
     const { wish, heard, maker, stands } = this;
-    const piece = wish && maker.advance(wish, budget, stands);
-    if (!piece) return true;
+    if (!wish) return true;
+    const piece = maker.advance(wish, budget, stands);
+    if (!piece) {
+      if (this.met !== wish) void this.keep(wish);
+      return true;
+    }
     if ('working' in piece) heard.working(piece.working);
     else if ('refused' in piece) heard.refused(piece.refused);
     else {
-      void this.show(piece.made);
+      this.met = piece.made.wish;
+      this.showing = this.show(piece.made);
       // The next level of quality, or a newer request, is due.
       if (maker.due(wish, stands)) this.place.loop.look();
     }
     return !('working' in piece);
+  }
+
+  /** Tells that the shown frame stays, if it is the requested one. */
+  private async keep(wish: Wished): Promise<void> {
+    this.met = wish;
+    await this.showing;
+    const kept = this.maker.kept(wish);
+    if (kept && wish === this.wish) this.heard.kept(kept);
   }
 
   private ask<T>(call: (studio: SceneStudio) => T): T | undefined {

@@ -39,8 +39,10 @@ export class FrameMaker<W extends Wished = Wished> {
   private spent = 0;
   /** The bodies may differ from the last frame. */
   private stale = true;
-  /** The last frame: its view, the number of finished frames of its ladder, its subject, and its sides. */
-  private last = { view: '', rungs: 0, subject: '', width: 0, height: 0 };
+  /** The bodies have changed since the last frame was made. */
+  private lapsed = true;
+  /** The last frame: its view, its quality, the number of finished frames of its ladder, its subject, and its sides. */
+  private last = { view: '', quality: 'moving' as Quality, rungs: 0, subject: '', width: 0, height: 0 };
 
   /** `view` gives the word of the view. */
   constructor(studio: Studio, view: () => string = () => 'auto') {
@@ -50,13 +52,13 @@ export class FrameMaker<W extends Wished = Wished> {
 
   /** Notes that the bodies may look different now. */
   changed(): void {
-    this.stale = true;
+    this.stale = this.lapsed = true;
   }
 
   /** Abandons the frame in the making. */
   drop(): void {
     this.order = undefined;
-    this.stale = true;
+    this.stale = this.lapsed = true;
   }
 
   /** The sides of the last frame, if it shows all bodies. */
@@ -75,6 +77,11 @@ export class FrameMaker<W extends Wished = Wished> {
   due(wish: Wished, stands = true): Quality | undefined {
     const rung = !this.stale && this.seen(wish) === this.last.view ? this.last.rungs : 0;
     return rung > 0 && (wish.moving || !stands) ? undefined : ladderOf(wish)[rung];
+  }
+
+  /** The quality of the last frame, if it shows what is requested; undefined if another frame has to come. */
+  kept(wish: Wished): Quality | undefined {
+    return this.lapsed || this.seen(wish) !== this.last.view ? undefined : this.last.quality;
   }
 
   /** Works for about `budget` milliseconds on the frame that is due. Undefined if none is due or there is nothing to see yet. */
@@ -111,8 +118,10 @@ export class FrameMaker<W extends Wished = Wished> {
     if (slice.done) this.order = undefined;
     if (quality === 'moving') this.coarse.suit(this.spent);
     const rungs = ladderOf(wish).indexOf(quality) + (slice.done ? 1 : 0);
-    this.last = { view: this.seen(wish), rungs, subject: wish.subject, width, height };
-    return { made: { ...order, quality: slice.done ? quality : 'still', pixels: this.pixels(order, slice.pixels) } };
+    const reached = slice.done ? quality : 'still';
+    this.lapsed = false;
+    this.last = { view: this.seen(wish), quality: reached, rungs, subject: wish.subject, width, height };
+    return { made: { ...order, quality: reached, pixels: this.pixels(order, slice.pixels) } };
   }
 
   private pixels({ wish: { plane } }: FrameOrder<W>, pixels: Uint8Array<ArrayBuffer>): Uint8ClampedArray<ArrayBuffer> {

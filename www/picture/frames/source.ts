@@ -50,6 +50,8 @@ export interface Bodies {
 export interface Heard {
   /** `latest` is true if the frame is the one requested last. */
   frame(frame: ImageBitmap, quality: Quality, bodies: Bodies, latest: boolean): void;
+  /** The last frame shows what is requested, with this quality: no other comes for now. */
+  kept(quality: Quality): void;
   working(done: number): void;
   refused(why: Notice): void;
   /** The maker could not be loaded, or it failed; there are no more frames. */
