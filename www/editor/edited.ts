@@ -218,6 +218,13 @@ export class EditedFigures {
     this.needs.live(false);
   }
 
+  /** Ends the step without its last change, as the figures are no longer those of the recipe. */
+  abandon(): void {
+    cancelAnimationFrame(this.frame);
+    this.frame = 0;
+    this.drop();
+  }
+
   setValue(value: number, last: boolean): void {
     const figure = this.marked;
     const limits = this.sort?.value;

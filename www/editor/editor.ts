@@ -170,6 +170,9 @@ export class Editor {
     const word = this.word;
     if (word === undefined || this.writing || this.text(word) === this.known) return;
     clear('outline');
+    // A drag of the old figures ends here: they must not go into this recipe, nor be remembered for its outline.
+    this.giving = [];
+    this.figureEditor.abandon();
     const there = toolApplies(this.engine, word) && (isOutline(word) || this.engine.get(word) !== '');
     if (there) this.begin(word);
     else this.figureEditor.close();

@@ -1,6 +1,6 @@
 /** Edits figures over the canvas, by pointer (gestures.ts), by keyboard, and by the bar's buttons. */
 import type { Point } from '../module/types';
-import { byId } from '../base/dom';
+import { byId, isShown } from '../base/dom';
 import { ARROWS } from '../late/arrows';
 import { EditorBar } from './bar';
 import { EditedFigures, type FigureNeeds } from './edited';
@@ -24,11 +24,16 @@ export class FigureEditor {
   readonly figures: EditedFigures;
   private readonly bar: EditorBar;
   private readonly needs: FigureEditorNeeds;
+  /** The elements that hold the points and the buttons. */
+  private readonly places: readonly HTMLElement[];
   private readonly gestures: Gestures;
+  /** The element that had the focus when the editor was opened. */
+  private opener: Element | null = null;
 
   /** `layer` lies over the canvas; `bar` takes the buttons for the marked point. */
   constructor(layer: HTMLElement, bar: HTMLElement, needs: FigureEditorNeeds) {
     this.needs = needs;
+    this.places = [layer, bar];
     const disarmed = (): void => {
       this.gestures.reset();
       needs.disarmed();
@@ -46,12 +51,12 @@ export class FigureEditor {
       cancel: () => this.gestures.cancel(),
       close: () => this.close(),
     });
-    this.listen(layer, bar);
+    this.listen(layer);
   }
 
-  private listen(layer: HTMLElement, bar: HTMLElement): void {
+  private listen(layer: HTMLElement): void {
     const { figures } = this;
-    for (const place of [layer, bar]) place.addEventListener('keydown', (event) => this.keyAnywhere(event));
+    for (const place of this.places) place.addEventListener('keydown', (event) => this.keyAnywhere(event));
     // After a click on a tool its button has the keyboard focus.
     byId('edit-tools').addEventListener('keydown', (event) => this.open && event.key === 'Escape' && this.keyAnywhere(event));
     document.body.addEventListener('keydown', (event) => this.open && event.target === document.body && this.keyAnywhere(event));
@@ -73,6 +78,7 @@ export class FigureEditor {
   /** Shows handles on these figures. `armed`: the next drag draws a ring. */
   show(sort: Sort, figures: Figure[], armed = false): void {
     this.figures.drop();
+    if (!this.open) this.opener = document.activeElement;
     const same = this.figures.sort?.word === sort.word && this.open;
     const focused = this.figures.sheet.layer.contains(document.activeElement);
     this.gestures.reset();
@@ -86,13 +92,23 @@ export class FigureEditor {
     else this.focus();
   }
 
+  /** Ends a drag whose figures are no longer those of the recipe. */
+  abandon(): void {
+    this.gestures.reset();
+    this.figures.abandon();
+  }
+
   close(): void {
     if (!this.open) return;
+    const { opener } = this;
+    const focused = this.places.some((place) => place.contains(document.activeElement));
     this.gestures.reset();
     this.figures.drop();
     this.figures.sheet.layer.hidden = true;
     this.bar.hide();
     this.needs.closed();
+    // A point or a button that is hidden would lose the focus.
+    if (focused && opener instanceof HTMLElement && isShown(opener)) opener.focus({ preventScroll: true });
   }
 
   private focus(): void {
