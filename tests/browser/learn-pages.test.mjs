@@ -246,7 +246,12 @@ test('the other language opens with the same state', async () => {
   const { page, close } = await site.newPage(CHAPTERS[0] + STATE);
   await begun(page);
   const fragment = await page.evaluate(() => location.hash);
+  await page.evaluate(() => ['made', 'broken'].forEach((key) => document.querySelector(`[data-ask="${key}"] input[value="c"]`).click()));
   await Promise.all([page.waitForNavigation({ waitUntil: 'load' }), page.evaluate(() => document.querySelector('#language').click())]);
+  await begun(page);
+  // The answers come along, and leave the address.
+  assert.deepEqual(await page.$$eval('[data-ask] input:checked', (all) => all.map((input) => `${input.closest('[data-ask]').dataset.ask} ${input.value}`)), ['made c', 'broken c']);
+  assert.equal(await page.$$eval('details.answers[open] [data-chosen]', (all) => all.length), 1);
   assert.equal(await page.evaluate(() => location.pathname.split('/').slice(-4).join('/')), 'learn/ja/two-bubbles/');
   assert.equal(decodeURIComponent(await page.evaluate(() => location.hash)), decodeURIComponent(fragment));
   assert.equal(await page.evaluate(() => document.documentElement.lang), 'ja');

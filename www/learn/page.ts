@@ -1,6 +1,7 @@
 /** Starts a page of the chapters: theme, language, marks of symbols, class mode, printing, and the figures. */
 import { byId, idle } from '../base/dom';
 import { followTheme } from '../base/theme';
+import { takeValue } from '../state/link';
 import { mountFigures } from './figure/mount';
 import { bindClass } from './lesson';
 
@@ -16,13 +17,31 @@ function button(id: string, act: () => void): void {
   found.addEventListener('click', act);
 }
 
-/** Makes the link to the other language open the same figure in the same state. */
+/** The word of the chosen answers in the address of the other language. */
+const CHOSEN = 'chosen';
+
+/** Each answer as the key of its question and its value. */
+const answers = (): readonly (readonly [answer: string, input: HTMLInputElement])[] =>
+  [...document.querySelectorAll<HTMLInputElement>('[data-ask] input[type="radio"]')].map((input) => [`${input.closest('[data-ask]')?.getAttribute('data-ask') ?? ''}.${input.value}`, input]);
+
+/** Makes the link to the other language open the same figure in the same state, with the same answers. */
 function keepState(link: HTMLAnchorElement): void {
   const follow = (): void => {
-    link.hash = location.hash;
+    const chosen = answers().flatMap(([answer, { checked }]) => (checked ? [answer] : []));
+    link.hash = [location.hash.slice(1), chosen.length ? `${CHOSEN}=${chosen.join(',')}` : ''].filter(Boolean).join('&');
   };
   // The figures write the address without an event.
   for (const event of ['pointerdown', 'focus', 'click']) link.addEventListener(event, follow);
+}
+
+/** Chooses the answers that were chosen in the other language. They leave the address, which the visitor may share. */
+function choose(): void {
+  const chosen = takeValue(CHOSEN).split(',');
+  for (const [answer, input] of answers()) {
+    if (!chosen.includes(answer)) continue;
+    input.checked = true;
+    input.dispatchEvent(new Event('change', { bubbles: true }));
+  }
 }
 
 /** Choosing an answer marks it and opens the discussion of the answers. */
@@ -78,6 +97,7 @@ function start(): void {
   const link = document.getElementById('language');
   if (link instanceof HTMLAnchorElement) keepState(link);
   for (const ask of document.querySelectorAll('[data-ask]')) openReplies(ask);
+  choose();
   markSymbols();
   bindClass(language);
   mountFigures(document, language);

@@ -131,6 +131,15 @@ export function fragment(): string {
   return location.hash.replace(/^#/, '');
 }
 
+/** Takes a value out of the address, so that no copy of the address has it. '' if there is none. */
+export function takeValue(key: string): string {
+  const pieces = fragment().split('&');
+  const own = pieces.find((piece) => piece.startsWith(`${key}=`));
+  if (own === undefined) return '';
+  history.replaceState(null, '', address(pieces.filter((piece) => piece !== own).join('&')));
+  return own.slice(key.length + 1);
+}
+
 /** Whether the visitor reloads the page. Its address may be a moment behind the work. */
 export function isReload(): boolean {
   const [entry] = performance.getEntriesByType('navigation');
