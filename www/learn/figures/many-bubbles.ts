@@ -174,8 +174,12 @@ const falls: Ask = {
   answers: { a: { en: 'it falls at every step', ja: 'はい、どのステップでも減る' }, b: { en: 'at some steps it rises', ja: 'いいえ、増えるステップもある' } },
   ...sentence<[step: number, pairs: string, sum: string]>(
     (seen) => {
-      const by = changes(seen);
-      return !seen.isStill || !by || by.pairs < CLEAR || by.sum >= 0 ? undefined : [seen.step, signed(by.pairs), signed(by.sum)];
+      // A run that was played passes the steps at which the pairs gain: the last of them up to this step is told.
+      for (let step = seen.isStill ? seen.step : 0; step > 0; step--) {
+        const by = changes({ ...seen, step });
+        if (by && by.pairs >= CLEAR && by.sum < 0) return [step, signed(by.pairs), signed(by.sum)];
+      }
+      return undefined;
     },
     [[100, '+0.0000', '−0.0000']],
     (language, step, pairs, sum) =>
