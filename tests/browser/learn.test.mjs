@@ -204,11 +204,12 @@ test('each question is answered by doing what it asks', async () => {
   assert.match(await answer(page, 'far'), /^You expected that it comes back\. It stayed: at w = 1\.600 the force is 0\.000/);
 
   await type(page, '#fig-let-go', 'damp', 0);
-  for (const w of [0.71, 0.74, 0.725]) {
+  for (const [w, next] of /** @type {const} */ ([[0.71, 'From 0.710 it parted for good. Start a little farther apart.'], [0.74, 'From 0.710 it parted for good, from 0.740 it came back. Start in between'], [0.725, 'Step on or back']])) {
     assert.equal(await answer(page, 'near'), '');
     await type(page, '#fig-let-go', 'w', w);
     await page.waitForSelector('#fig-let-go[data-step="0"]');
     await seek(page, '#fig-let-go', 200);
+    await page.waitForFunction((wanted) => document.querySelector('#fig-let-go .figure-told')?.textContent?.includes(wanted), {}, next);
   }
   await answered(page, 'near');
   assert.match(await answer(page, 'near'), /^You set no mark\. From 0\.710 it parted for good, from 0\.725 it came back/);

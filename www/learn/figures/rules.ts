@@ -52,11 +52,16 @@ export function trialOf({ moments, value }: Trace, step: number): Trial | undefi
 
 const kept = (w: number): Trial => ({ start: String(w), value: w });
 
+/** The largest start that parted, and the smallest that came back; `undefined` where there was none. */
+export function nearest(trials: readonly Trial[]): readonly [parted: number | undefined, kept: number | undefined] {
+  const values = (isParted: boolean): number[] => trials.filter(({ parted }) => parted === isParted).map(({ value }) => value).sort((a, b) => a - b);
+  return [values(true).at(-1), values(false)[0]];
+}
+
 /** The nearest pair of trials that ended differently, if they are less than `apart` from each other. */
 export function between(trials: readonly Trial[], apart: number): readonly [parted: number, kept: number] | undefined {
-  const parted = Math.max(...trials.filter((one) => one.parted).map(({ value }) => value));
-  const kept = Math.min(...trials.filter((one) => !one.parted).map(({ value }) => value));
-  return kept > parted && kept - parted < apart ? [parted, kept] : undefined;
+  const [parted, kept] = nearest(trials);
+  return parted !== undefined && kept !== undefined && kept > parted && kept - parted < apart ? [parted, kept] : undefined;
 }
 
 function stepOf(moments: readonly Moment[], is: (moment: Moment) => boolean, can: boolean): number | undefined {

@@ -4,7 +4,7 @@
  * a picture of side 256, without walls; no cell comes or goes, and no run ends by itself.
  */
 import type { Ask, Figure, Language, Moment, Seen, Stop, Trace } from './figure';
-import { between, isPair, parting, REACH, rest, touch, trialOf, turn } from './rules';
+import { between, isPair, nearest, parting, REACH, rest, touch, trialOf, turn } from './rules';
 import { DAMPING, DISTANCE, HELD, INTEGRATOR, inWords, joined, MARK, MASS, moves, number, sentence, START, STIFFNESS, stands, TIME_STEP, way } from './words';
 
 const PAIR = 'outline=square&size=256&kind=circle&cs=64&edge=open&pop=off&fend=0&mend=0&most=1000';
@@ -42,13 +42,16 @@ const far: Ask = {
   ),
 };
 
+/** Two starts that are less than this apart answer the question on starts without damping. */
+const CLOSE = 0.02;
+
 const near: Ask = {
   key: 'near',
   showsZero: true,
   answers: {},
   ...sentence<[parted: string, kept: string, own: string, level: string]>(
     ({ trials, at, zero }) => {
-      const [parted, kept] = between(trials, 0.02) ?? [];
+      const [parted, kept] = between(trials, CLOSE) ?? [];
       if (parted === undefined || kept === undefined) return undefined;
       // A mark that was not set stands at 0.
       const own = at[0] ? number(at[0], 3) : '';
@@ -124,6 +127,29 @@ const made: Ask = {
       ),
   ),
 };
+
+/** How the starts without damping have ended so far, and where to start next. Two that lie close together answer the question. */
+function toldStarts({ trials, answered }: Seen, language: Language): string {
+  if (answered.has('near')) return '';
+  const [parted, kept] = nearest(trials).map((w) => (w === undefined ? undefined : number(w, 3)));
+  if (parted && kept) {
+    return inWords(
+      language,
+      `From ${parted} it parted for good, from ${kept} it came back. Start in between, until two such starts are less than ${CLOSE} apart.`,
+      `${parted}からは離れきり、${kept}からは戻りました。その間から放して、差が${CLOSE}より小さい二つを見つけてください。`,
+    );
+  }
+  if (parted) return inWords(language, `From ${parted} it parted for good. Start a little farther apart.`, `${parted}からは離れきりました。もう少し離して放してみてください。`);
+  return kept ? inWords(language, `From ${kept} it came back. Start a little nearer.`, `${kept}からは戻りました。もう少し近づけて放してみてください。`) : '';
+}
+
+/** The text under the figure with the marks: after a start without damping, how the starts have ended. */
+function toldTrials(seen: Seen, language: Language): string {
+  const { traces: [trace], step } = seen;
+  const moment = trace?.moments[step];
+  const starts = trace && moment && trialOf(trace, step) ? toldStarts(seen, language) : '';
+  return moment && starts ? joined(language, stands(moment, language), starts) : told(seen, language);
+}
 
 /** The text under a figure with one pair. */
 function told({ traces, step }: Seen, language: Language): string {
@@ -212,7 +238,7 @@ export const TWO_BUBBLES: readonly Figure[] = [
     name: 'let-go', fits: isPair, at: [0], recipe: pair(0.6, 'damp=0.6&move=rk4&dt=0.1'), packings: [{}], last: 200, opens: 200, steps: 'step',
     plates: [{ draw: 'track', packing: 0 }, { draw: 'valley', packing: 0 }],
     stops: [START, TOUCH, TURN, PARTED, REST, END], handles: [{ ...DISTANCE, plates: [0] }, DAMPING, MARK, HELD], more: PHYSICS,
-    trial: trialOf, asks: [far, near], told,
+    trial: trialOf, asks: [far, near], told: toldTrials,
   },
   {
     name: 'not-so', fits: isPair, at: [], recipe: pair(0.9, 'damp=0.5&move=euler&dt=0.55'), packings: [{}, { move: 'rk4' }], last: 100, opens: 60, steps: 'step',
