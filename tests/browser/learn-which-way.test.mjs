@@ -99,13 +99,13 @@ test('road: the point in the middle answers the question, and a link opens there
   await page.$eval('[data-ask="middle"] input[value="a"]', (button) => button.click());
   await page.focus(`${figure} .plate-box[data-plate="0"] .grip-at`);
   await page.keyboard.press('ArrowRight');
-  await stands(page, figure, 0.52, 0.455, 0.001);
+  await stands(page, figure, 0.515, 0.455, 0.001);
   await page.keyboard.down('Shift');
   await page.keyboard.press('ArrowDown');
   await page.keyboard.up('Shift');
-  await stands(page, figure, 0.52, 0.46, 0.001);
+  await stands(page, figure, 0.515, 0.46, 0.001);
   await page.keyboard.press('End');
-  await stands(page, figure, 0.62, 0.46, 0.001);
+  await stands(page, figure, 0.615, 0.46, 0.001);
   assert.equal(await answer(page, 'middle'), '');
   await tells(page, figure, 'it points along the road');
   await put(page, figure, 1, 0.5);
@@ -134,6 +134,16 @@ test('road: the point in the middle answers the question, and a link opens there
   await page.click(`${figure} [data-do="again"]`);
   await stands(page, figure, 0.5, 0.455, 0.001);
   await page.waitForFunction((selector, picture) => [...document.querySelectorAll(`${selector} .plate-svg`)].map((plate) => plate.innerHTML).join('') === picture, {}, figure, first.picture);
+
+  // The arrow keys reach the middle, and so does a drag that ends a little beside it.
+  await page.focus(`${figure} .plate-box[data-plate="0"] .grip-at`);
+  for (let k = 0; k < 3; k++) await page.keyboard.press('ArrowDown');
+  await stands(page, figure, 0.5, 0.5, 0.001);
+  await page.keyboard.press('PageUp');
+  await stands(page, figure, 0.5, 0.43, 0.001);
+  const { width } = await inSight(page, `${figure} .plate-box[data-plate="0"]`);
+  await drag(page, `${figure} .plate-box[data-plate="0"] .grip-at`, 0, 0.0625 * width);
+  await stands(page, figure, 0.5, 0.5, 0.001);
   await close();
 
   const other = await chapter(fragment);
@@ -143,6 +153,18 @@ test('road: the point in the middle answers the question, and a link opens there
   await answered(other.page, 'middle');
   assert.deepEqual([...problems, ...other.problems], []);
   await other.close();
+});
+
+test('the names of handles and the choices have one line each at a desk', async () => {
+  const { page, close } = await chapter();
+  for (const name of FIGURES) {
+    const figure = await at(page, name);
+    const tall = await page.$$eval(`${figure} .figure-tools :is(.handle-name, .handle.choice .options)`, (all) =>
+      all.filter((one) => one.checkVisibility() && one.getBoundingClientRect().height > 36).map(({ textContent }) => textContent),
+    );
+    assert.deepEqual(tall, [], name);
+  }
+  await close();
 });
 
 test('pieces: ten of them change the printed sum alone', sameEverywhere, async () => {

@@ -109,7 +109,7 @@ export class Handles {
       place: () => of.gripAt(plate, key, of.points(handle)[row] ?? handle.origin),
       move: (place, isOver) => {
         const [x = 0, y = 0] = of.numbersAt(plate, key, place);
-        this.put(handle, row, shownOf(handle, [x, y]), isOver);
+        this.put(handle, row, onLine(handle, shownOf(handle, [x, y])), isOver);
       },
       onKey: (event) => {
         const next = pointAfterKey(handle, this.shown(handle, row), event);
@@ -174,6 +174,14 @@ export class Handles {
     const shown = this.shown(handle, this.row(handle));
     box.querySelectorAll('input').forEach((input, axis) => fillNumber(input, fixed(shown[axis] ?? 0, handle.digits)));
   }
+}
+
+/** A finger finds a line that is within this many fine strides. */
+const FINDS = 2.5;
+
+/** The place of a drag, which a near line takes. */
+function onLine({ line, fine }: PointHandle, [x, y]: Place): Place {
+  return line !== undefined && Math.abs(y - line) <= FINDS * fine ? [x, line] : [x, y];
 }
 
 /** Keys that move within the text of a box. */

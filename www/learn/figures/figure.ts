@@ -201,6 +201,8 @@ export interface PointHandle {
   readonly rows?: readonly number[];
   /** Closer limits of both coordinates. */
   readonly area?: readonly [left: number, top: number, right: number, bottom: number];
+  /** The height of a line that a drag finds, though it ends a little beside it. */
+  readonly line?: number;
 }
 
 export type Handle = NumberHandle | ChoiceHandle | PointHandle;

@@ -24,7 +24,7 @@ export const roadOf = (pieces: number): string => listed([...Array.from({ length
 const CUT: Listed = { list: 'poly', read: (points) => points.length - 3, write: (pieces) => ({ poly: roadOf(Math.round(pieces)) }) };
 
 export const PIECES: NumberHandle = {
-  kind: 'number', key: 'pieces', symbol: '', name: { en: 'Pieces of the upper side', ja: '上の辺を切る数' }, unit: NONE,
+  kind: 'number', key: 'pieces', symbol: '', name: { en: 'Pieces', ja: '上の辺を切る数' }, unit: NONE,
   from: 1, to: 10, stride: 1, fine: 1, coarse: 3, digits: 0, listed: CUT,
 };
 
@@ -35,7 +35,7 @@ export const POWER: NumberHandle = {
 
 export const IN_ROAD: PointHandle = {
   kind: 'point', key: 'at', name: { en: 'Point', ja: '点' }, unit: NONE,
-  origin: [0, 0], scale: 1, from: 0, to: 1, stride: 0.02, fine: 0.005, coarse: 0.1, digits: 3, plates: [0, 1], area: [0.07, 0.43, 0.93, 0.57],
+  origin: [0, 0], scale: 1, from: 0, to: 1, stride: 0.015, fine: 0.005, coarse: 0.1, digits: 3, plates: [0, 1], area: [0.07, 0.43, 0.93, 0.57], line: 0.5,
 };
 
 /** A round place as a polygon, with a corner every five degrees. */
@@ -72,12 +72,12 @@ export const OUTLINE: ChoiceHandle = {
 };
 
 export const CENTRE: PointHandle = {
-  kind: 'point', key: 'at', name: { en: 'Middle of the walk', ja: '道筋の中心' }, unit: NONE,
+  kind: 'point', key: 'at', name: { en: 'Middle', ja: '道筋の中心' }, unit: NONE,
   origin: [0, 0], scale: 1, from: 0.02, to: 0.98, stride: 0.02, fine: 0.005, coarse: 0.1, digits: 3, plates: [0],
 };
 
 export const WALK_RADIUS: NumberHandle = {
-  kind: 'number', key: 'mark-2', symbol: '', name: { en: 'Radius of the walk', ja: '道筋の半径' }, unit: NONE,
+  kind: 'number', key: 'mark-2', symbol: '', name: { en: 'Radius', ja: '道筋の半径' }, unit: NONE,
   from: 0.04, to: 0.4, stride: 0.02, fine: 0.005, coarse: 0.1, digits: 3, plates: [0],
 };
 
