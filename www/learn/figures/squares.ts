@@ -148,12 +148,25 @@ function landIn(trace: Trace, language: Language): string {
   return inWords(language, `With a corner weight of ${weight} there are four wells at w = ${number(land.well.w, 2)}, ${deep} k₀ deep, and a barrier of ${high} k₀ between two.`, `隅の重み${weight}では、w = ${number(land.well.w, 2)}に深さ${deep} k₀の井戸が四つあり、間の障壁は${high} k₀です。`);
 }
 
-function toldPair(hint: { readonly en: string; readonly ja: string }) {
-  return ({ traces: [trace], step }: Seen, language: Language): string => {
+function toldPair(hint: { readonly en: string; readonly ja: string }, found: (seen: Seen, language: Language) => string = () => '') {
+  return (seen: Seen, language: Language): string => {
+    const { traces: [trace], step } = seen;
     const now = trace && neighbourAt(trace, step);
     if (!trace || !now) return '';
-    return [landIn(trace, language), standsAt(now, language), movesTo(now, step, language), hint[language]].join(language === 'ja' ? '' : ' ');
+    const end = found(seen, language) || `${movesTo(now, step, language)}${inWords(language, ' ', '')}${hint[language]}`;
+    return [landIn(trace, language), standsAt(now, language), end].join(language === 'ja' ? '' : ' ');
   };
+}
+
+/** The weights that were tried at 45 degrees so far, and the one to try next. The weight that the figure opens with is not the reader's. */
+function toldWeights({ traces: [trace], trials, step, answered }: Seen, language: Language): string {
+  if (!trace || trials.length < 2 || !dropped(trace, step) || answered.has('from')) return '';
+  const least = Math.min(...trials.filter(({ parted }) => parted).map(({ value }) => value));
+  const weight = number(least, 2);
+  const hasStayed = trials.some(({ parted, value }) => !parted && value === 0);
+  if (hasStayed) return inWords(language, `At weight 0 it stayed near 45°, at ${weight} it slid to an edge. Try a smaller weight.`, `重み0では45°の近くにとどまり、${weight}では辺へ滑りました。もっと小さい重みでも試してください。`);
+  if (least >= PAPERS) return '';
+  return inWords(language, `At weight ${weight} it still slid to an edge. Try less, down to 0.`, `重み${weight}でも辺へ滑りました。もっと小さく、0までの重みで試してください。`);
 }
 
 /** How many neighbours share an edge. */
@@ -231,7 +244,7 @@ export const SQUARES: readonly Figure[] = [
   {
     name: 'wells', ...PAIR, recipe: pair(0.92, -0.86, `cw=${PAPERS}`), last: 200, opens: 200, plates: mapped('wells'),
     handles: [PLACE, WEIGHT], more: [RADIUS, DAMPING], trial: dropped, asks: [from],
-    told: toldPair({ en: 'Drop the square elsewhere, or change the weight.', ja: '別の場所に置くか、重みを変えてみてください。' }),
+    told: toldPair({ en: 'Drop the square elsewhere, or change the weight.', ja: '別の場所に置くか、重みを変えてみてください。' }, toldWeights),
   },
   {
     name: 'sixty', fits: isBlock(60), at: [], recipe: `${OPEN}&cs=22&damp=0.6&dt=0.4&fend=0.004&mend=0.002&jolt=0.45&seed=7&given=${block(10, 6, 1.1, 22)}`,
