@@ -97,8 +97,8 @@ export const twoBubbles = {
       key: 'near',
       figure: 'let-go',
       text: {
-        en: 'Now without [[damping]], the drag that slows them: how near may they start and not part for good? Mark it on the curve. Then set $c = 0$, and try several starts.',
-        ja: '次は[[damping|減衰]]（動きを弱める抵抗）をなくします。どこまで近づけて放しても、離れていかずにすむでしょうか。曲線に印を付け、$c = 0$にしてから、いろいろな距離で放してみてください。',
+        en: 'Now without [[damping]], the drag that slows them ($c = 0$): how near may they start and not part for good? Mark it on the curve. Then try.',
+        ja: '次は[[damping|減衰]]（動きを弱める抵抗）を$c = 0$にします。どこまで近づけて放しても、離れずにすむでしょうか。曲線に印を付けてから、試してください。',
       },
       blanks: [{ en: '$w =$', ja: '$w =$' }],
     },
