@@ -157,6 +157,8 @@ export class Gestures {
     // A drag may leave the frame before it counts as one, and a card may come under the pointer.
     this.stand.setPointerCapture(pointerId);
     this.begun = this.down.size === 1 ? { x, y, moves: false, ground: shiftKey || button > 0 } : undefined;
+    // Two fingers never tap.
+    if (!this.begun) this.stand.toggleAttribute('data-held', true);
     this.trail = [];
   }
 
@@ -206,7 +208,9 @@ export class Gestures {
   private release(event: PointerEvent, up: boolean): void {
     if (!this.down.delete(event.pointerId)) return;
     const { begun } = this;
-    this.begun = undefined;
+    // The last finger of several goes on as one that was put down now.
+    const [stays] = this.down.size === 1 ? this.down.values() : [];
+    this.begun = stays && { ...stays, moves: false, ground: false };
     if (this.down.size) return;
     const held = this.stand.hasAttribute('data-held');
     this.stand.toggleAttribute('data-held', false);
