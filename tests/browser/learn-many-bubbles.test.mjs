@@ -184,7 +184,7 @@ test('each question is answered by doing what it asks', async () => {
   assert.ok(pairs.length > 3 && pairs.every((y, k) => k === 0 || y > (pairs[k - 1] ?? Infinity)), String(pairs));
   await seek(page, '#fig-energy', 3);
   assert.equal(await answer(page, 'falls'), '');
-  // Runs that have ended leave the gains behind: the sentence names the last one.
+  // At the end of the run the gains lie behind: the sentence names the last one.
   await toEnd(page, '#fig-energy');
   await answered(page, 'falls');
   assert.match(await answer(page, 'falls'), /^At step \d+ the energy of the pairs changed by \+0\.\d{4}, the sum by −0\.\d{4}/);

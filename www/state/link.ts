@@ -115,15 +115,20 @@ export function pageAddress(state: string): string {
   return url.href;
 }
 
+/** The pieces of a state, as `key=value`, without those of these keys. */
+function without(state: string, keys: readonly string[]): string[] {
+  return state.split('&').filter((piece) => piece !== '' && !keys.some((key) => piece.startsWith(`${key}=`)));
+}
+
 /** The state with these values in place of its own. */
 export function withValues(state: string, values: readonly (readonly [key: string, text: string])[]): string {
-  const kept = state.split('&').filter((piece) => piece !== '' && !values.some(([key]) => piece.startsWith(`${key}=`)));
+  const kept = without(state, values.map(([key]) => key));
   return [...kept, ...values.map(([key, text]) => `${key}=${text}`)].join('&');
 }
 
 /** The values of a state, as `key=value`. */
 export function valuesIn(state: string): string[] {
-  return state.split('&').filter((piece) => piece !== '' && !piece.startsWith('v='));
+  return without(state, ['v']);
 }
 
 /** The fragment of the address, without '#'. */
@@ -133,10 +138,10 @@ export function fragment(): string {
 
 /** Takes a value out of the address, so that no copy of the address has it. '' if there is none. */
 export function takeValue(key: string): string {
-  const pieces = fragment().split('&');
-  const own = pieces.find((piece) => piece.startsWith(`${key}=`));
+  const state = fragment();
+  const own = state.split('&').find((piece) => piece.startsWith(`${key}=`));
   if (own === undefined) return '';
-  history.replaceState(null, '', address(pieces.filter((piece) => piece !== own).join('&')));
+  history.replaceState(null, '', address(without(state, [key]).join('&')));
   return own.slice(key.length + 1);
 }
 

@@ -174,7 +174,7 @@ const falls: Ask = {
   answers: { a: { en: 'it falls at every step', ja: 'はい、どのステップでも減る' }, b: { en: 'at some steps it rises', ja: 'いいえ、増えるステップもある' } },
   ...sentence<[step: number, pairs: string, sum: string]>(
     (seen) => {
-      // Runs that play on leave the steps at which the pairs gain behind, so the last one up to this step counts.
+      // A run that was played stands beyond the steps at which the pairs gain: take the last one before it.
       for (let step = seen.isStill ? seen.step : 0; step > 0; step--) {
         const by = changes({ ...seen, step });
         if (by && by.pairs >= CLEAR && by.sum < 0) return [step, signed(by.pairs), signed(by.sum)];
