@@ -357,7 +357,9 @@ test('a heavy recipe shows how far it is, and a pause holds it', sameEverywhere,
         }).observe(document, { subtree: true, attributes: true, attributeFilter: ['aria-valuenow', 'hidden'] });
       }),
   });
-  await page.waitForFunction(() => window.bubblestone?.status().steps > 3, { timeout: 120_000 });
+  // A quick machine makes the first steps before the work counts as long.
+  await page.waitForSelector('#work:not([hidden])');
+  await page.waitForFunction(() => window.bubblestone?.status().steps > 3);
   await click(page, '#play');
   await frames(page, 3);
   const held = await steps(page);
