@@ -2,7 +2,7 @@
 
 use super::{Bowl, kind, variants};
 use bubblestone::component::Component;
-use bubblestone::pile::{Body, Kind, deepest_overlaps};
+use bubblestone::pile::{Body, Kind, OverlapWork};
 use bubblestone::solid::Surface;
 use glam::{DMat3, DQuat, DVec3};
 use std::f64::consts::PI;
@@ -65,8 +65,10 @@ impl Pebbles {
         for (shape, component) in kind.shapes.iter_mut().zip(&self.variants) {
             shape.spheres.clone_from(&component.spheres);
         }
-        let depths = deepest_overlaps(&self.bodies, &[kind]);
-        let depths = depths.iter().map(|depth| depth.max(0.0));
+        let kinds = [kind];
+        let mut work = OverlapWork::new(&self.bodies, &kinds);
+        while !work.advance(&self.bodies, &kinds) {}
+        let depths = work.deepest.iter().map(|depth| depth.max(0.0));
         let mean = depths.clone().sum::<f64>() / self.bodies.len() as f64;
         [depths.fold(0.0, f64::max), mean]
     }

@@ -93,7 +93,7 @@ pub fn bench_pile() -> Object {
     };
     let hulls: Array = pebbles
         .hulls()
-        .map(|hull| js_sys::Float32Array::from(&hull.as_flattened()[..]))
+        .map(|hull| js_sys::Float32Array::from(hull.as_flattened()))
         .collect();
     let shapes: Vec<u32> = pebbles.bodies.iter().map(|body| body.shape).collect();
     let sizes: Vec<f64> = pebbles.bodies.iter().map(|body| body.scale).collect();
@@ -111,7 +111,7 @@ pub fn bench_pile() -> Object {
             "triangles",
             Uint32Array::from(bowl.triangles.as_flattened()).into(),
         ),
-        ("radius", most(|p| p.x.hypot(p.z)).into()),
+        ("radius", most(|p| (p.x * p.x + p.z * p.z).sqrt()).into()),
         ("top", most(|p| p.y).into()),
         ("overlaps", numbers(&pebbles.overlaps()).into()),
     ])
