@@ -32,7 +32,7 @@ async function tabTo(page, selector, most = 120) {
   assert.fail(`the keyboard does not reach ${selector}`);
 }
 
-test('the keyboard alone pauses, steps, and moves a slider', async () => {
+test('the keyboard alone pauses, steps, moves a slider, writes a number with a comma, and takes all back', async () => {
   const { page, problems, close } = await site.newPage(SMALL);
   await digest(page);
   const does = () => page.$eval('#play', (button) => button.textContent.trim());
@@ -51,6 +51,24 @@ test('the keyboard alone pauses, steps, and moves a slider', async () => {
   assert.ok(Number(await get(page, 'cs')) > size);
   await page.keyboard.press('ArrowLeft');
   assert.equal(Number(await get(page, 'cs')), size);
+  await page.$eval('[data-key=cs] [type=number]', (box) => (box.focus(), box.select()));
+  await page.keyboard.type('20,5');
+  await page.keyboard.press('Enter');
+  assert.equal(await get(page, 'cs'), '20.5');
+  // The last step back leaves the focus on its button.
+  await page.focus('#undo');
+  const spent = () => page.$eval('#undo', (button) => button.ariaDisabled === 'true');
+  for (let k = 0; k < 3; k += 1) {
+    assert.equal(await spent(), false);
+    await page.keyboard.press('Enter');
+    await frames(page, 1);
+  }
+  assert.equal(await spent(), true);
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'undo');
+  await page.keyboard.press('Enter');
+  assert.equal(Number(await get(page, 'cs')), size);
+  await page.keyboard.press('Tab');
+  assert.deepEqual(await page.$eval('#undo', ({ disabled, ariaDisabled }) => [disabled, ariaDisabled]), [true, null]);
   assert.deepEqual(problems, []);
   await close();
 });

@@ -26,6 +26,17 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+/**
+ * Enables a button, or disables it. A button in use by keyboard keeps the focus until that leaves: the next key press must
+ * not reach another button, nor the page.
+ */
+export function enable(button: HTMLButtonElement, enabled: boolean): void {
+  const stays = !enabled && button.matches(':focus-visible');
+  button.disabled = !enabled && !stays;
+  button.ariaDisabled = stays ? 'true' : null;
+  if (stays) button.addEventListener('blur', () => button.ariaDisabled === 'true' && enable(button, false), { once: true });
+}
+
 /** Moves by arrow keys from button to button of a toolbar. Only one of them is a stop for Tab. */
 export function walkByArrows(toolbar: HTMLElement): void {
   toolbar.addEventListener('keydown', (event) => {

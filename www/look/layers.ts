@@ -2,13 +2,13 @@
 import { overlayIn, t } from '../words/look';
 import { viewIn } from '../words/words';
 import { byId, make } from '../base/dom';
-import { chooseFine, isPicture } from '../state/fine';
-import type { Store } from '../state/store';
+import { chooseFine, isPicture, refinesBodies } from '../state/fine';
+import type { Work } from '../state/work';
 import type { View } from '../picture/view';
 import '../styles/late/look.css';
 
 export class Layers {
-  private readonly store: Store;
+  private readonly work: Work;
   private readonly view: View;
   private readonly box = make('section', { class: 'layers-box', id: 'layers', 'aria-labelledby': 'layers-button' });
   private bases: HTMLInputElement[] = [];
@@ -18,8 +18,9 @@ export class Layers {
   private readonly legend = make('dl', { class: 'layers-legend' });
   private readonly fine = make('input', { type: 'checkbox', id: 'fine', title: t('note_fine') });
 
-  constructor(store: Store, view: View) {
-    this.store = store;
+  constructor(work: Work, view: View) {
+    const { store } = work;
+    this.work = work;
     this.view = view;
     const button = byId('layers-button');
     button.setAttribute('aria-controls', 'layers');
@@ -51,16 +52,18 @@ export class Layers {
     const over = group(t('layers_over'), this.overlays, overlays.map((word) => overlayIn(word)[0]));
     over.hidden = !overlays.length;
     this.box.replaceChildren(over, group(t(overlays.length ? 'layers_base' : 'layers_alone'), this.bases, bases.map(viewIn)), group(t('layers_screen'), [this.fine], [t('fine')]), this.legend);
-    for (const radio of this.bases) radio.addEventListener('change', () => this.store.update({ view: radio.value }));
+    for (const radio of this.bases) radio.addEventListener('change', () => this.work.store.update({ view: radio.value }));
     for (const check of this.overlays) {
-      check.addEventListener('change', () => this.store.update({ overlays: this.overlays.filter(({ checked }) => checked).map(({ value }) => value) }));
+      check.addEventListener('change', () => this.work.store.update({ overlays: this.overlays.filter(({ checked }) => checked).map(({ value }) => value) }));
     }
   }
 
   private follow(): void {
     if (this.box.hidden) return;
     this.offer();
-    const { view, overlays, fine } = this.store.state;
+    const { engine, store } = this.work;
+    const { view, overlays } = store.state;
+    const fine = engine.offers('frames') ? refinesBodies(store) : store.state.fine;
     const lone = view === 'potential';
     for (const radio of this.bases) radio.checked = radio.value === view;
     this.fine.checked = fine;

@@ -1,6 +1,6 @@
 /** The page's own buttons and keys. */
 import { language, t } from '../words/words';
-import { byId, byIdAs, say } from '../base/dom';
+import { byId, byIdAs, enable, say } from '../base/dom';
 import { alertOf } from '../base/messages';
 import { bindKeys, listenToKeys } from '../base/keys';
 import { speak } from '../base/language';
@@ -73,8 +73,8 @@ function bindAllKeys(house: House): void {
 }
 
 function showHistory({ past, future, stored, own }: State): void {
-  byIdAs('undo', HTMLButtonElement).disabled = past.length === 0;
-  byIdAs('redo', HTMLButtonElement).disabled = future.length === 0;
+  enable(byIdAs('undo', HTMLButtonElement), past.length > 0);
+  enable(byIdAs('redo', HTMLButtonElement), future.length > 0);
   const note = byId('stored');
   const text = stored && own ? t('stored') : '';
   // Screen readers announce it only the first time.

@@ -28,7 +28,7 @@ export function partsOf(work: Work, view: View, host: PictureHost, leave: () => 
     editor,
     pointer: new Later(async () => new (await import('../look/pointer')).Pointer(work, view)),
     light: new Later(async () => new (await import('../look/light')).LightOnCanvas(work)),
-    layers: new Later(async () => new (await import('../look/layers')).Layers(store, view)),
+    layers: new Later(async () => new (await import('../look/layers')).Layers(work, view)),
     compare: new Later(async () => new (await import('../look/compare')).Compare(work, view, host.loop)),
     plots: new Later(async () => new (await import('../look/plots')).Plots(engine, view)),
     timeline: new Later(async () => new (await import('../look/timeline')).Timeline(work, host, leave)),
