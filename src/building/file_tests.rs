@@ -2,6 +2,7 @@
 
 use super::tests::{all, built};
 use super::*;
+use glam::DVec3;
 use std::fmt::Write as _;
 
 /// Reads an OBJ file in metres, with y up.
@@ -322,6 +323,42 @@ fn groups_part_faces_and_name_them() {
     let joined = read_obj(text.replace("g Window Sill\n", "")).unwrap();
     assert_eq!(joined.draft.faces.len(), 1);
     assert_eq!(joined.draft.faces[0].loops[0].len(), 6);
+}
+
+#[test]
+fn a_building_on_a_map_is_moved_to_the_origin() {
+    let file =
+        "g Wall\nv -3 0 -2.001\nv 3.1 0 -2.001\nv 3.1 4.2 -2.001\nv -3 4.2 -2.001\nf 4 3 2 1\n";
+    let near = read_obj(file).unwrap();
+    assert_eq!(near.moved, None);
+    for [x, y, z] in [[512_345.0, 0.0, -5_403_210.0], [0.0, 20_000.0, 0.0]] {
+        let mut far = String::new();
+        for line in file.lines() {
+            let words: Vec<&str> = line.split(' ').collect();
+            match words[..] {
+                ["v", a, b, c] => {
+                    let [a, b, c] = [a, b, c].map(|word| word.parse::<f64>().unwrap());
+                    // The digits that a program would write.
+                    writeln!(far, "v {:.3} {:.3} {:.3}", a + x, b + y, c + z).unwrap();
+                }
+                _ => writeln!(far, "{line}").unwrap(),
+            }
+        }
+        let read = read_obj(far).unwrap();
+        assert_eq!(read.draft.vertices[0].y, 0.0);
+        let by = read.moved.unwrap();
+        assert_eq!(by.y, -y);
+        // The places are the same but for a move in whole metres, to the last bit.
+        let back = by + DVec3::new(x, y, z);
+        assert_eq!(back, back.round());
+        let expected = near
+            .draft
+            .vertices
+            .iter()
+            .map(|&v| ((v + back) * 1e6).round() / 1e6);
+        assert_eq!(read.draft.vertices, expected.collect::<Vec<_>>());
+        assert!(back.length() < 3.0);
+    }
 }
 
 #[test]

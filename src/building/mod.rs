@@ -27,6 +27,7 @@ mod feature_tests;
 mod file_tests;
 mod fit;
 mod flattening;
+mod georeference;
 mod ids;
 pub mod json;
 mod json_writing;

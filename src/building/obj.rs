@@ -13,6 +13,7 @@ use super::bows::{self, Bow};
 use super::checking;
 use super::draft::{Draft, DraftArc, DraftFace};
 use super::fault::BuildingFault;
+use super::georeference;
 use super::recognising::{Facet, FacetModel};
 use super::rules::flat_surface;
 use crate::domain::signed_area;
@@ -25,6 +26,8 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct Recognised {
     /// The building.
     pub draft: Draft,
+    /// The move of a building that lies far from the origin of its file (metres, y up).
+    pub moved: Option<DVec3>,
     /// The number of polygons in the file.
     pub polygons: usize,
     /// The number of polygons without an area, which were left out.
@@ -79,7 +82,8 @@ impl FileSpace {
 /// Group names that are not labels, in lower case. Endings that programs add, such as `.001`, are cut off first.
 const NO_LABELS: [&str; 4] = ["default", "off", "(null)", "none"];
 
-/// Reads a file with this unit and this upright axis.
+/// Reads a file with this unit and this upright axis. A building of at most 1,000 m that lies farther away than a building
+/// may is moved to the origin.
 ///
 /// # Errors
 /// [`BuildingFault::NotObj`] with the line that cannot be read; [`BuildingFault::Far`] with the vertex that lies too
@@ -90,6 +94,7 @@ pub fn read(bytes: &[u8], space: &FileSpace) -> Result<Recognised, BuildingFault
     for place in &mut model.positions {
         *place = space.in_metres(*place);
     }
+    let moved = georeference::to_origin(&mut model.positions);
     checking::vertices(&model.positions)?;
     let mut facets = FacetModel::new(&model)?;
     let bows = bows::bows(&facets);
@@ -135,6 +140,7 @@ pub fn read(bytes: &[u8], space: &FileSpace) -> Result<Recognised, BuildingFault
         .retain(|arc| seen.insert((arc.from.min(arc.to), arc.from.max(arc.to))));
     Ok(Recognised {
         draft,
+        moved,
         polygons: model.polygons.len(),
         degenerate: facets.degenerate,
         flat,

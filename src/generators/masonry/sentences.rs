@@ -55,6 +55,14 @@ pub(super) fn unread(fault: &BuildingFault) -> Notice {
     }
 }
 
+/// A building was moved by whole metres to its origin.
+pub(super) fn moved(by: DVec3) -> Notice {
+    Notice::new(Code::BuildingMoved)
+        .with("x", decimal::text(by.x))
+        .with("y", decimal::text(by.y))
+        .with("z", decimal::text(by.z))
+}
+
 /// The sentence of two polygons that run the same way. OBJ files number vertices from 1.
 fn of_polygons(vertices: [usize; 2], polygons: [usize; 2], why: PolygonFault) -> Notice {
     let ([a, b], [one, other]) = (vertices, polygons);

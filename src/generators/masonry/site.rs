@@ -95,7 +95,7 @@ impl SiteBuild {
                 SiteStep::meshes(rule.draft(&params.module, numbers), None, params)
             }
             (None, Some(bytes)) => {
-                let step = SiteStep::read(bytes, &params.space);
+                let step = SiteStep::read(bytes, &params.space, &mut remarks);
                 let step = step.map_err(|fault| unreadable(&fault, &params.space))?;
                 space = matches!(step, SiteStep::Read(_)).then_some(params.space);
                 step
@@ -156,12 +156,20 @@ impl SiteBuild {
 
 impl SiteStep {
     /// Reads an OBJ file, or parses a JSON file. Some programs put a byte order mark first.
-    fn read(bytes: &[u8], space: &FileSpace) -> Result<Self, BuildingFault> {
+    fn read(
+        bytes: &[u8],
+        space: &FileSpace,
+        remarks: &mut Vec<Notice>,
+    ) -> Result<Self, BuildingFault> {
         let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
         let first = bytes.iter().find(|byte| !byte.is_ascii_whitespace());
         match first {
             Some(&JSON) => json::parse(&String::from_utf8_lossy(bytes)).map(Self::Parsed),
-            _ => obj::read(bytes, space).map(|recognised| Self::Read(recognised.draft)),
+            _ => {
+                let recognised = obj::read(bytes, space)?;
+                remarks.extend(recognised.moved.map(sentences::moved));
+                Ok(Self::Read(recognised.draft))
+            }
         }
     }
 

@@ -151,6 +151,8 @@ fn files_that_are_no_buildings_are_refused() {
     ] {
         assert_eq!(said_of(&good.replacen(from, to, 1), ""), [code]);
     }
+    let map = "v 5e5 0 0\nv 500003 0 0\nv 500003 3 0\nv 5e5 3 0\nf 1 2 3 4\n";
+    assert_eq!(said_of(map, "")[..1], [Code::BuildingMoved]);
     let block = |change: fn(&mut Draft)| changed(Rule::Block, change);
     let far = block(|draft| draft.vertices[0].x = 20_000.0);
     assert_eq!(far, [Code::BuildingNumber]);
