@@ -150,6 +150,22 @@ test('no question is answered by the state that a figure opens with', () => {
   }
 });
 
+test('two starts open while both run downhill, with energies so near that either may end lower', () => {
+  const figure = code.FIGURES.find((/** @type {any} */ one) => one.name === 'two-starts');
+  const apart = (/** @type {number} */ step) => {
+    const [left, right] = figure.packings.map((/** @type {any} */ own) => {
+      const made = new code.Reading(module, figure, figure.recipe, own);
+      while (!made.advance(1000));
+      const { pairs, walls, motion } = code.crowdAt(made, step);
+      made.free();
+      return pairs + walls + motion;
+    });
+    return left - right;
+  };
+  assert.ok(Math.abs(apart(figure.opens)) < 0.05);
+  assert.ok(apart(figure.opens - 4) < -0.1 && apart(figure.opens + 4) > 0.1);
+});
+
 test('one stop is marked where two fall on the same step', () => {
   const stops = [{ key: 'start', step: 0 }, { key: 'rest', step: 129 }];
   const marked = [[0, 129], [7, 129], [129, 129], [129, 200], [200, 200]].map(([step, last]) => code.markedAt(stops, step, last));

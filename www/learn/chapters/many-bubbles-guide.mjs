@@ -84,7 +84,7 @@ export const manyBubblesGuide = {
   states: [
     { figure: 'crowd', what: { en: 'The crowd before it is let go', ja: '放す前の群れ' } },
     { figure: 'crowd', values: { step: '200' }, what: { en: 'The crowd at rest: arrows cancel', ja: '静止した群れ（矢印が打ち消し合う）' } },
-    { figure: 'two-starts', what: { en: 'Two starts, before they run', ja: '二つの初期位置、動き出す前' } },
+    { figure: 'two-starts', values: { step: '0' }, what: { en: 'Two starts, before they run', ja: '二つの初期位置、動き出す前' } },
     { figure: 'energy', values: { step: '0' }, what: { en: 'A shaken crowd: hunt for a gain', ja: '揺さぶった群れ（増えるステップを探す）' } },
     { figure: 'energy', values: { damp: '2', step: '0' }, what: { en: 'The same with damping 2: no gain', ja: '減衰2の場合（増えない）' } },
     { figure: 'best', what: { en: 'Is this the best?', ja: 'これは最良か' } },

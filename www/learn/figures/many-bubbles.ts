@@ -97,7 +97,9 @@ function toldTwo(seen: Seen, language: Language): string {
   const n = cellsOf(seen).length;
   const other = language === 'ja' ? '輪郭か、左の初期位置を変えてみてください。' : 'Bend the outline, or change the first places on the left.';
   const play = language === 'ja' ? '「再生」で放してください。' : 'Press play to let go.';
-  return joined(language, language === 'ja' ? `どちらも${n}個です。` : `${n} bubbles in each.`, ...parts, isBegun ? other : play);
+  const on = language === 'ja' ? '「再生」で続きを見てください。' : 'Press play to go on.';
+  const isOver = seen.traces.every(({ steps }) => seen.step >= steps.length - 1);
+  return joined(language, language === 'ja' ? `どちらも${n}個です。` : `${n} bubbles in each.`, ...parts, isOver ? other : isBegun ? on : play);
 }
 
 /** The change of the energies in the step that led here. */
@@ -260,6 +262,9 @@ function trial(trace: Trace, step: number): Trial | undefined {
 
 const FIRST_REST: Stop = { key: 'one', name: { en: 'Left at rest', ja: '左が静止' }, find: ofFirst(restOf) };
 
+/** At this step the falling energies of the two crowds meet, so that either may end lower. */
+const EVEN = 8;
+
 const BOTH: Words[] = [{ en: 'One start', ja: 'ある初期位置' }, { en: 'Another start', ja: '別の初期位置' }];
 
 export const MANY_BUBBLES: readonly Figure[] = [
@@ -272,7 +277,7 @@ export const MANY_BUBBLES: readonly Figure[] = [
     stops: [START, AT_REST, OVER], handles: [LOOK, BEND, FIRST], more: [DAMPING, JOLT], asks: [], told: toldCrowd,
   },
   {
-    name: 'two-starts', fits, at: [], recipe: `${AT_RANDOM}&seed=1&damp=1`, packings: [{}, { seed: '6' }], last: 200, opens: 0, steps: 'step',
+    name: 'two-starts', fits, at: [], recipe: `${AT_RANDOM}&seed=1&damp=1`, packings: [{}, { seed: '6' }], last: 200, opens: EVEN, steps: 'step',
     plates: [
       { draw: 'crowd', packing: 0, title: BOTH[0] as Words, note: energyNote(0) },
       { draw: 'crowd', packing: 1, title: BOTH[1] as Words, note: energyNote(1) },
