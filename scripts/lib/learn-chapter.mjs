@@ -114,9 +114,9 @@ class Writer {
       case 'not-so':
         return `${head}${this.paragraph(block.text)}${this.ask(block)}${this.figure(block)}`;
       case 'exercise':
-        return `${head}${this.paragraph(block.text)}${this.seen(block.key, block.figure)}${this.figure(block)}${this.studio(block)}`;
+        return `${head}${this.paragraph(block.text)}${this.seen(block.key, block.figure)}${this.figure(block)}`;
       default:
-        return `${head}${(block.lines ?? []).map((line) => this.paragraph(line)).join('')}${this.papers()}`;
+        return `${head}${(block.lines ?? []).map((line) => this.paragraph(line)).join('')}${this.papers()}${this.studio()}`;
     }
   }
 
@@ -127,8 +127,9 @@ class Writer {
     return first ? `<p><a href="${href}#${first.key}">${this.t.more}</a></p>` : '';
   }
 
-  /** @param {Block} block */
-  studio({ figure = '' }) {
+  /** The link into the studio with the exercise's state. It ends the chapter, as it leads away from the text. */
+  studio() {
+    const { figure = '' } = this.chapter.blocks.find(({ kind }) => kind === 'exercise') ?? {};
     const href = `${way(this.folder, '')}#${escaped(this.site.draw.link(figure))}`;
     return `<p><a class="into-studio" data-figure="${figure}" href="${href}">${this.t.studio}</a></p>`;
   }

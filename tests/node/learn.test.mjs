@@ -99,6 +99,25 @@ for (const name of chapters) {
       assert.deepEqual(symbols.filter((symbol) => !shown.includes(symbol)), []);
     });
 
+  test(`${name}: the exercise comes last, then ours and theirs in two lines, then the studio with the exercise's state`, () => {
+    for (const language of languages) {
+      const page = chapter(name, language);
+      const [exercise, ours] = selectAll('.scene', page).slice(-2);
+      assert.deepEqual([exercise.attribs['data-kind'], ours.attribs['data-kind']], ['exercise', 'ours']);
+      const [studio, ...others] = selectAll('.into-studio', page);
+      assert.equal(others.length, 0);
+      assert.equal(studio.attribs['data-figure'], selectOne('figure', exercise).attribs['data-figure']);
+      // Two lines, the link to the papers, the link into the studio.
+      const lines = selectAll('p', ours);
+      assert.equal(lines.length, 4);
+      assert.equal(studio.parent, lines.at(-1));
+    }
+  });
+
+  test(`${name}: no figure stands still before its lines are drawn`, () => {
+    for (const language of languages) assert.equal(selectAll('.to-come', chapter(name, language)).length, 0);
+  });
+
   test(`${name}: each question has the picture that shows its answer, and a place for what happened`, () => {
     const page = chapter(name, 'en');
     for (const ask of selectAll('.ask', page)) {
