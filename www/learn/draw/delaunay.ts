@@ -44,7 +44,7 @@ function nodes({ points }: JoinedCells): string {
 function node(id: number, [x, y]: Place, near: Place | undefined): string {
   const [u, v] = near ? unit(near, [x, y]) : [0, 0];
   const name = text(x + BESIDE * u, y + BESIDE * v + 4, String(id + 1), `node-number${near ? ' halo' : ''}`);
-  return `${circle([x, y], near ? DOT : NODE, 'numbered')}${name}`;
+  return `${circle([x, y], near ? DOT : NODE, near ? 'numbered dot' : 'numbered')}${name}`;
 }
 
 const around = (centre: Place, radius: number, kind: string): string => circle(onPlate(centre), radius * SIDE, kind);

@@ -16,6 +16,7 @@ import './mesh.css';
 import './population.css';
 import './squares.css';
 import './ways.css';
+import './letters.css';
 
 /** How far from the window a figure begins to work, and how far away it is freed, in screens. */
 const NEAR = '50%';
