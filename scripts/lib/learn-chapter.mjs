@@ -69,7 +69,7 @@ class Writer {
     const legend = `<legend>${this.prose(ask)}</legend>`;
     const replies = answers.flatMap(({ value, reply, right }) => (reply ? [`<li data-reply="${value}"${right ? ' data-right' : ''}><span class="letter" aria-hidden="true">${value}</span><span>${this.prose(reply)}</span></li>`] : []));
     const why = replies.length ? `<details class="answers"><summary>${this.t.answer}</summary><ul>${replies.join('')}</ul></details>` : '';
-    return `<fieldset class="ask" data-ask="${key}" data-of="${figure}">${legend}${rows.join('')}</fieldset>${this.seen(key, figure, replies.length > 0)}${why}`;
+    return `<fieldset class="ask" data-ask="${key}" data-of="${figure}">${legend}<div class="choices">${rows.join('')}</div></fieldset>${this.seen(key, figure, replies.length > 0)}${why}`;
   }
 
   /**

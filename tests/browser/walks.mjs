@@ -46,8 +46,9 @@ export async function walkByTab(page) {
 
 /**
  * Goes through all screens of a class, and back. Returns the screens that do not fit the window, as they open or with
- * one more line of a figure's text, and those whose picture is left out or small: it has nearly half of the window's
- * width, or three quarters of its height. A screen is measured when its figure works and its plates keep their place.
+ * one more line of a figure's text, those whose question or one of its answers is not seen, and those whose picture is left
+ * out or small: it has three fifths of the window's width, or two thirds of its height; beside a question on top, nearly half of
+ * the width. A screen is measured when its figure works and its plates keep their place.
  * @param {Page} page @returns {Promise<string[]>}
  */
 export const unfitInClass = (/** @type {Page} */ page) =>
@@ -83,9 +84,14 @@ export const unfitInClass = (/** @type {Page} */ page) =>
         if (lowest > innerHeight + 1) found.push(`${before} ${figure?.id ?? scene.dataset.kind} ${how}: down to ${Math.round(lowest)}`);
       };
       look('as it opens');
+      for (const one of scene.querySelectorAll('.ask :is(legend, label)')) {
+        const { top, bottom, width } = one.getBoundingClientRect();
+        if (!one.checkVisibility({ visibilityProperty: true }) || !width || top < 0 || bottom > innerHeight) found.push(`${before}: not seen: ${one.textContent}`);
+      }
       if (!figure || !plates || !told) continue;
       const { width, height } = plates.getBoundingClientRect();
-      if (!plates.checkVisibility() || (width < 0.46 * innerWidth && height < 0.75 * innerHeight)) found.push(`${before} ${figure.id}: its picture has ${Math.round(width)} x ${Math.round(height)}`);
+      const [broad, high] = isFigure ? [0.6, 0.66] : [0.46, 0.75];
+      if (!plates.checkVisibility() || (width < broad * innerWidth && height < high * innerHeight)) found.push(`${before} ${figure.id}: its picture has ${Math.round(width)} x ${Math.round(height)}`);
       if (!isFigure) continue;
       told.append(document.createElement('br'), 'A line more.');
       await settled(plates);
@@ -98,8 +104,8 @@ export const unfitInClass = (/** @type {Page} */ page) =>
   });
 
 /**
- * Goes through all screens of a class, gives an answer to each question, and shows the longest sentence on what happened below
- * it. Returns the screens whose plates move or shrink.
+ * Goes through all screens of a class, gives an answer to each question, and shows the longest sentence on what happened with
+ * it. Returns the screens whose plates move or shrink, and those on which the sentence or the answers are not seen then.
  * @param {Page} page @returns {Promise<string[]>}
  */
 export const movedInClass = (/** @type {Page} */ page) =>
@@ -132,6 +138,12 @@ export const movedInClass = (/** @type {Page} */ page) =>
         const last = JSON.stringify(plates.getBoundingClientRect());
         if (last !== first) found.push(`${before}: ${first} ${last}`);
       }
+      for (const one of document.querySelectorAll('[data-now] :is(.ask label, .ask-seen)')) {
+        const { left, top, right, bottom, width } = one.getBoundingClientRect();
+        const isShown = one.matches('.ask label') || document.documentElement.dataset.part === 'figure';
+        const hit = document.elementFromPoint((left + right) / 2, (top + bottom) / 2);
+        if (isShown && (!width || bottom > innerHeight || !hit || !one.contains(hit))) found.push(`${before}: not seen: ${one.textContent}`);
+      }
     }
     press('Escape');
     return seen > 10 ? found : [`only ${seen} were seen`];
@@ -161,3 +173,33 @@ export const watchMemory = (/** @type {Page} */ page) =>
       };
     }
   });
+
+/**
+ * Words in plates that are smaller than 11 px, that stick out of their plate, or that lie on other words. Runs in the page.
+ * @param {Element[]} plates @returns {string[]}
+ */
+export function badWords(plates) {
+  return plates.flatMap((plate) => {
+    const svg = /** @type {SVGSVGElement} */ (plate);
+    const own = svg.getBoundingClientRect();
+    const scale = own.width / svg.viewBox.baseVal.width;
+    const texts = [...svg.querySelectorAll('text')].filter((text) => text.checkVisibility());
+    /** The parts of a text that have letters of their own. */
+    const parts = texts.flatMap((text) => [text, ...text.querySelectorAll('tspan')]).filter((part) => [...part.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent?.trim()));
+    const small = parts.filter((part) => parseFloat(getComputedStyle(part).fontSize) * scale < 10.95);
+    const boxes = texts.map((text) => text.getBoundingClientRect());
+    // Boxes are higher than their letters.
+    const out = texts.filter((_, k) => {
+      const { left, right, top, bottom } = /** @type {DOMRect} */ (boxes[k]);
+      return left < own.left - 1 || right > own.right + 1 || top < own.top - 4 || bottom > own.bottom + 4;
+    });
+    const covered = texts.filter((_, k) =>
+      boxes.slice(0, k).some((one) => {
+        const { left, right, top, bottom, height } = /** @type {DOMRect} */ (boxes[k]);
+        return Math.min(right, one.right) - Math.max(left, one.left) > 1 && Math.min(bottom, one.bottom) - Math.max(top, one.top) > 0.3 * Math.min(height, one.height);
+      }),
+    );
+    const said = (/** @type {string} */ fault) => (/** @type {Element} */ { textContent }) => `${plate.closest('figure')?.id} ${fault}: ${textContent}`;
+    return [...small.map(said('small')), ...out.map(said('cut')), ...covered.map(said('on other words'))];
+  });
+}

@@ -6,19 +6,21 @@ const HANDS = { en: 'Raised hands', ja: '挙手の数' };
 /** Elements that use the arrow keys themselves. */
 const OWN_KEYS = 'input, select, textarea, [role=slider], [role=application], summary';
 
-export function bindClass(language: 'en' | 'ja'): void {
+/** Binds the view for a class. Returns nothing on a page without scenes. */
+export function bindClass(language: 'en' | 'ja'): Lesson | undefined {
   const scenes = [...document.querySelectorAll<HTMLElement>('.scene')];
   const button = document.getElementById('class');
-  if (!button || !scenes.length) return;
+  if (!button || !scenes.length) return undefined;
   const lesson = new Lesson(scenes, button);
   button.hidden = false;
   button.addEventListener('click', () => lesson.toggle());
   document.addEventListener('keydown', (event) => lesson.key(event));
   document.addEventListener('opened', ({ target }) => lesson.open(target as Node));
-  addEventListener('resize', () => lesson.fit());
+  addEventListener('resize', () => lesson.place());
   // Answers that unfold take room; the event does not bubble.
   document.addEventListener('toggle', () => lesson.fit(), true);
   for (const label of document.querySelectorAll('.ask label')) count(label, HANDS[language]);
+  return lesson;
 }
 
 /** Adds a box for a number beside an answer. Pupils' hands are counted in class alone. */
@@ -62,7 +64,7 @@ function fill(plates: HTMLElement, end: HTMLElement, part: Slide['part']): numbe
   return height + spare;
 }
 
-class Lesson {
+export class Lesson {
   private readonly slides: readonly Slide[];
   /** Sees texts that take more lines than before. */
   private readonly texts = new ResizeObserver((grown) => this.keep(grown));
@@ -76,6 +78,16 @@ class Lesson {
   toggle(): void {
     if (this.at >= 0) this.end();
     else this.show(Math.max(0, this.slides.findIndex(({ scene }) => scene.getBoundingClientRect().bottom > innerHeight / 3)));
+  }
+
+  /** The number of the present screen, from 0 on; -1 while there is no class. */
+  get screen(): number {
+    return this.at;
+  }
+
+  /** Begins class mode at a screen of this number, if there is one. */
+  begin(at: number): void {
+    if (this.slides[at]) this.show(at);
   }
 
   /** Goes to the screen of a figure that a link has opened. */
@@ -93,12 +105,26 @@ class Lesson {
     this.show(Math.min(this.slides.length - 1, Math.max(0, this.at + way)));
   }
 
-  /** Makes the plates as large as the window has room for, with all that stands around them. */
-  fit(): void {
+  /** Puts the texts of a screen above its figure or beside it, where the plates can be larger. */
+  place(): void {
+    const { scene } = this.slides[this.at] ?? {};
+    if (!scene) return;
+    this.watch(scene);
+    const [above = 0, beside = 0] = [false, true].map((isBeside) => {
+      scene.toggleAttribute('data-aside', isBeside);
+      const width = this.fit();
+      return document.documentElement.scrollHeight > innerHeight + 1 ? 0 : width;
+    });
+    scene.toggleAttribute('data-aside', beside > above);
+    this.fit();
+  }
+
+  /** Makes the plates as large as the window has room for, with all that stands around them. Returns their width. */
+  fit(): number {
     const { scene, part = 'ask' } = this.slides[this.at] ?? {};
     scene?.removeAttribute('data-bare');
     const [plates, told] = ['.plates', '.figure-told'].map((part) => scene?.querySelector<HTMLElement>(part));
-    if (!scene || !plates?.checkVisibility() || !told) return;
+    if (!scene || !plates?.checkVisibility() || !told) return 0;
     plates.style.maxWidth = '';
     // Text that stands beside the plates has no lower edge to fit.
     const isBelow = told.getBoundingClientRect().top >= plates.getBoundingClientRect().bottom;
@@ -107,6 +133,7 @@ class Lesson {
     // Titles of smaller plates may take another line, so the plates are fitted a second time.
     const height = fill(plates, end, part);
     scene.toggleAttribute('data-bare', part === 'ask' && height < LEAST);
+    return plates.getBoundingClientRect().width;
   }
 
   /** A text that was longer keeps its room, so that plates do not jump from step to step. */
@@ -127,8 +154,7 @@ class Lesson {
   private show(at: number): void {
     this.mark(at);
     const scene = this.slides[at]?.scene;
-    this.watch(scene);
-    this.fit();
+    this.place();
     scene?.setAttribute('tabindex', '-1');
     scene?.focus({ preventScroll: true });
     scrollTo(0, 0);
@@ -151,6 +177,7 @@ class Lesson {
     this.button.setAttribute('aria-pressed', String(slide !== undefined));
     for (const scene of this.scenes) {
       scene.toggleAttribute('data-now', scene === slide?.scene);
+      scene.removeAttribute('data-aside');
       const figure = scene.querySelector<HTMLElement>('.figure');
       if (figure) figure.inert = slide?.part === 'ask';
     }

@@ -4,10 +4,11 @@ import { byId, idle } from '../base/dom';
 import { followTheme } from '../base/theme';
 import { takeValue } from '../state/link';
 import { mountFigures } from './figure/mount';
-import { bindClass } from './lesson';
+import { bindClass, type Lesson } from './lesson';
 
 import './page.css';
 import './lesson.css';
+import './sheet.css';
 
 const language = document.documentElement.lang === 'ja' ? 'ja' : 'en';
 
@@ -21,15 +22,19 @@ function button(id: string, act: () => void): void {
 /** The word of the chosen answers in the address of the other language. */
 const CHOSEN = 'chosen';
 
+/** The word of the screen of a class in the address of the other language. */
+const CLASS = 'class';
+
 /** Each answer as the key of its question and its value. */
 const answers = (): readonly (readonly [answer: string, input: HTMLInputElement])[] =>
   [...document.querySelectorAll<HTMLInputElement>('[data-ask] input[type="radio"]')].map((input) => [`${input.closest('[data-ask]')?.getAttribute('data-ask') ?? ''}.${input.value}`, input]);
 
-/** Makes the link to the other language open the same figure in the same state, with the same answers. */
-function keepState(link: HTMLAnchorElement): void {
+/** Makes the link to the other language open the same figure in the same state, with the same answers, on the same screen of a class. */
+function keepState(link: HTMLAnchorElement, lesson: Lesson | undefined): void {
   const follow = (): void => {
     const chosen = answers().flatMap(([answer, { checked }]) => (checked ? [answer] : []));
-    link.hash = [location.hash.slice(1), chosen.length ? `${CHOSEN}=${chosen.join(',')}` : ''].filter(Boolean).join('&');
+    const screen = lesson?.screen ?? -1;
+    link.hash = [location.hash.slice(1), chosen.length ? `${CHOSEN}=${chosen.join(',')}` : '', screen < 0 ? '' : `${CLASS}=${screen}`].filter(Boolean).join('&');
   };
   // The figures write the address without an event.
   for (const event of ['pointerdown', 'focus', 'click']) link.addEventListener(event, follow);
@@ -96,13 +101,16 @@ function start(): void {
   readCommas();
   button('print', () => print());
   unfoldOnPaper();
+  const lesson = bindClass(language);
   const link = document.getElementById('language');
-  if (link instanceof HTMLAnchorElement) keepState(link);
+  if (link instanceof HTMLAnchorElement) keepState(link, lesson);
   for (const ask of document.querySelectorAll('[data-ask]')) openReplies(ask);
   choose();
   markSymbols();
-  bindClass(language);
+  const screen = takeValue(CLASS);
   mountFigures(document, language);
+  // Figures have read their state, which may belong to another screen.
+  if (screen) lesson?.begin(Number(screen));
   addEventListener('load', () => void store());
 }
 
