@@ -6,6 +6,9 @@ const HANDS = { en: 'Raised hands', ja: '挙手の数' };
 /** Elements that use the arrow keys themselves. */
 const OWN_KEYS = 'input, select, textarea, [role=slider], [role=application], summary';
 
+/** Those of them that have no use for the page keys, which presenters send. */
+const NO_PAGES = 'input[type=radio], summary';
+
 /** Binds the view for a class. Returns nothing on a page without scenes. */
 export function bindClass(language: 'en' | 'ja'): Lesson | undefined {
   const scenes = [...document.querySelectorAll<HTMLElement>('.scene')];
@@ -31,6 +34,12 @@ function count(label: Element, word: string): void {
 }
 
 const WAYS: Readonly<Record<string, number>> = { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 };
+
+/** Whether an element under the focus has a use of its own for a key. */
+function usesKey({ key, target }: KeyboardEvent): boolean {
+  if (!(target instanceof Element) || !target.closest(OWN_KEYS)) return false;
+  return !(key.startsWith('Page') && target.closest(NO_PAGES));
+}
 
 /** The content of one screen: a scene's question with its answers and a still picture of its figure, or the figure in full. */
 interface Slide {
@@ -100,7 +109,7 @@ export class Lesson {
     if (this.at < 0 || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
     if (event.key === 'Escape') this.end();
     const way = WAYS[event.key];
-    if (way === undefined || (event.target instanceof Element && event.target.closest(OWN_KEYS))) return;
+    if (way === undefined || usesKey(event)) return;
     event.preventDefault();
     this.show(Math.min(this.slides.length - 1, Math.max(0, this.at + way)));
   }
