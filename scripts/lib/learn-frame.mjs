@@ -28,7 +28,7 @@ export const way = (from, to) => {
 };
 
 /**
- * A text's HTML: `[[term|words]]` becomes a link to the glossary, `$w = 1$` a formula.
+ * A text's HTML: `[[term|words]]` becomes a link to the glossary, `$w = 1$` a formula, which no end of a line parts from its brackets and stops.
  * @param {string} text
  * @param {Language} language
  * @param {string} glossary the way to the glossary
@@ -36,7 +36,7 @@ export const way = (from, to) => {
 export function prose(text, language, glossary) {
   return escaped(text)
     .replace(/\[\[([\w-]+)(?:\|([^\]]+))?\]\]/g, (_, /** @type {string} */ term, /** @type {string} */ shown = term) => `<a class="term" href="${glossary}#${term}">${shown}</a>`)
-    .replace(/\$([^$]+)\$([,.:;、。]?)/g, (_, /** @type {string} */ formula, /** @type {string} */ mark) => `<span class="formula">${inLine(formula.replaceAll('&lt;', '<'), language)}${mark}</span>`);
+    .replace(/([(（]?)\$([^$]+)\$([)）]?[,.:;、。]?)/g, (_, /** @type {string} */ bracket, /** @type {string} */ formula, /** @type {string} */ mark) => `<span class="formula">${bracket}${inLine(formula.replaceAll('&lt;', '<'), language)}${mark}</span>`);
 }
 
 const policy = (/** @type {string} */ digest) =>
