@@ -514,7 +514,7 @@ const NO_BUILDINGS = [
   ['large.obj', boxOf(40, 20, 40)],
   ['millimetres.obj', boxOf(3000, 2400, 3000.5)],
   ['huge.obj', boxOf(3e6, 3e6, 3e6), '&unit=mm'],
-  ['far.obj', boxOf(2, 2, 2).replace(/^v /gm, 'v 2000')],
+  ['far.obj', boxOf(2, 2, 2).replace('v ', 'v 10000000000000000000')],
   ['turned.obj', boxOf(2, 2, 2, ['2 4 3 1', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6'])],
   ['twice.obj', `${boxOf(2, 2, 2)}f 4 2 1 3\n`],
   ['itself.obj', 'v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 3 0\nf 1 2 3 1 2 4 5\n'],
