@@ -119,14 +119,14 @@ fn a_file_of_unusual_size_is_asked_about_its_unit() {
     let nothing = engine_with_file(link, "large.obj", &box_of([3e6; 3]), LAYING).err();
     let nothing = nothing.expect("a sentence").to_string();
     assert!(nothing.contains("would be needed"), "{nothing}");
+    // A building on a map is moved, unless one of its vertices stays far away.
     let lines = box_of([3.0; 3]);
-    let away = lines.lines().map(|line| match line.strip_prefix("v ") {
-        Some(place) => format!("v 2000{place}\n"),
-        None => format!("{line}\n"),
-    });
-    let away = laid_file("away.obj", &away.collect::<String>()).expect_err("a sentence");
-    let away = away.to_string();
-    assert!(away.contains("Vertex") && away.contains("origin"), "{away}");
+    let away = lines.replace("v ", "v 2000");
+    laid_file("away.obj", &away).expect("a building");
+    let torn = lines.replacen("v ", "v 10000000000000000000", 1);
+    let torn = laid_file("torn.obj", &torn).expect_err("a sentence");
+    let torn = torn.to_string();
+    assert!(torn.contains("Vertex") && torn.contains("origin"), "{torn}");
 }
 
 #[test]
