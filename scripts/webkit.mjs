@@ -1,0 +1,67 @@
+// `npm run webkit`: compares the planes, bodies and frames of some recipes in WebKit with those that are made natively;
+// `npm run webkit -- all`: of all recipes with golden digests. It needs a site in dist/ and packages of Debian
+// (scripts/lib/webkit.mjs).
+import { existsSync } from 'node:fs';
+import { join } from 'node:path';
+import { setTimeout } from 'node:timers/promises';
+import { digests, frames, masonry, piles, surfaces, varied } from '../tests/common/golden.mjs';
+import { host } from './lib/host.mjs';
+import { root, start, Stop } from './lib/run.mjs';
+import { startWebkit } from './lib/webkit.mjs';
+
+/** Of bodies, every recipe with this distance in the list is compared. */
+const EVERY = process.argv[2] === 'all' ? 1 : 6;
+
+await start(async () => {
+  const dist = join(root, 'dist');
+  if (!existsSync(join(dist, 'index.html'))) throw new Stop('There is no site in dist/: `npm run build` makes one.');
+  const webkit = await startWebkit();
+  const server = await host(dist);
+  try {
+    console.log(webkit.version);
+    const wrong = await compared(webkit, server.address);
+    if (wrong.length) throw new Stop(`WebKit differs:\n${wrong.join('\n')}`);
+    console.log('All are the same in WebKit.');
+  } finally {
+    server.stop();
+    await webkit.close();
+  }
+});
+
+/**
+ * The recipes that differ, each in a line.
+ * @param {Awaited<ReturnType<typeof startWebkit>>} webkit
+ * @param {string} address
+ */
+async function compared(webkit, address) {
+  const open = async (/** @type {string} */ link) => {
+    // A change of the fragment alone would not load the page.
+    await webkit.open('about:blank');
+    await webkit.open(`${address}#${link}`);
+    while (!(await webkit.run('return "bubblestone" in window'))) await setTimeout(100);
+  };
+  /** @type {string[]} */
+  const wrong = [];
+  const check = (/** @type {string} */ what, /** @type {string} */ found, /** @type {string} */ wanted) => {
+    console.log(`${found === wanted ? 'same' : 'OTHER'}  ${what}`);
+    if (found !== wanted) wrong.push(`${what}: ${found}, not ${wanted}`);
+  };
+  await open('size=192&cs=16');
+  /** @type {{ name: string, link: string }[]} */
+  const presets = await webkit.run('return bubblestone.presets.map(({ name, link }) => ({ name, link }))');
+  const chosen = EVERY > 1 ? varied(presets) : new Set(presets.map(({ name }) => name));
+  for (const [name, digest] of digests.filter(([name]) => chosen.has(name))) {
+    await open(presets.find((preset) => preset.name === name)?.link ?? '');
+    check(name, await webkit.promised('bubblestone.digest()'), digest);
+  }
+  for (const [digest, link] of [surfaces, piles, masonry].flatMap((list) => list.filter((_, k) => k % EVERY === 0))) {
+    await open(link);
+    check(link, await webkit.promised('bubblestone.digest()'), digest);
+  }
+  for (const { hash, camera, link } of frames) {
+    await open(link);
+    await webkit.promised('bubblestone.digest()');
+    check(`a frame of ${link}`, await webkit.promised('bubblestone.frame(arguments[0])', camera), hash);
+  }
+  return wrong;
+}
