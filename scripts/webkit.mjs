@@ -9,7 +9,7 @@ import { host } from './lib/host.mjs';
 import { root, start, Stop } from './lib/run.mjs';
 import { startWebkit } from './lib/webkit.mjs';
 
-/** Of bodies, every recipe with this distance in the list is compared. */
+/** The distance in the lists of bodies from one compared recipe to the next. */
 const EVERY = process.argv[2] === 'all' ? 1 : 6;
 
 await start(async () => {
