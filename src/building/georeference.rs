@@ -16,7 +16,7 @@ pub(super) fn to_origin(places: &mut [DVec3]) -> Option<DVec3> {
     let low = places.iter().copied().reduce(DVec3::min)?;
     let high = places.iter().copied().reduce(DVec3::max)?;
     let is_far = low.abs().max(high.abs()).max_element() > FARTHEST;
-    // A place that is not a number makes this false.
+    // An infinite place makes this false. Those that are no numbers may be lost in the box; the vertices are tested later.
     let is_short = (high - low).max_element() <= LONGEST;
     if !is_far || !is_short {
         return None;

@@ -47,8 +47,8 @@ export async function walkByTab(page) {
 /**
  * Goes through all screens of a class, and back. Returns the screens that do not fit the window, as they open or with
  * one more line of a figure's text, those whose question or one of its answers is not seen, and those whose picture is left
- * out or small: it has three fifths of the window's width, or two thirds of its height; beside a question on top, nearly half of
- * the width. A screen is measured when its figure works and its plates keep their place.
+ * out or small: it has nearly half of the window's width, or three quarters of its height; that of a figure in full also three
+ * fifths of the width, or two thirds of the height. A screen is measured when its figure works and its plates keep their place.
  * @param {Page} page @returns {Promise<string[]>}
  */
 export const unfitInClass = (/** @type {Page} */ page) =>
@@ -90,8 +90,8 @@ export const unfitInClass = (/** @type {Page} */ page) =>
       }
       if (!figure || !plates || !told) continue;
       const { width, height } = plates.getBoundingClientRect();
-      const [broad, high] = isFigure ? [0.6, 0.66] : [0.46, 0.75];
-      if (!plates.checkVisibility() || (width < broad * innerWidth && height < high * innerHeight)) found.push(`${before} ${figure.id}: its picture has ${Math.round(width)} x ${Math.round(height)}`);
+      const isSmall = (/** @type {number} */ broad, /** @type {number} */ high) => width < broad * innerWidth && height < high * innerHeight;
+      if (!plates.checkVisibility() || isSmall(0.46, 0.75) || (isFigure && isSmall(0.6, 0.66))) found.push(`${before} ${figure.id}: its picture has ${Math.round(width)} x ${Math.round(height)}`);
       if (!isFigure) continue;
       told.append(document.createElement('br'), 'A line more.');
       await settled(plates);
