@@ -3,7 +3,6 @@
 // (scripts/lib/webkit.mjs).
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
-import { setTimeout } from 'node:timers/promises';
 import { digests, frames, masonry, piles, surfaces, varied } from '../tests/common/golden.mjs';
 import { host } from './lib/host.mjs';
 import { root, start, Stop } from './lib/run.mjs';
@@ -11,6 +10,9 @@ import { startWebkit } from './lib/webkit.mjs';
 
 /** The distance in the lists of bodies from one compared recipe to the next. */
 const EVERY = process.argv[2] === 'all' ? 1 : 6;
+
+/** Resolves in the page when it has its functions for scripts; the driver limits how long that may take. */
+const BEGUN = 'new Promise((done) => { const look = () => ("bubblestone" in window ? done("") : setTimeout(look, 100)); look(); })';
 
 await start(async () => {
   const dist = join(root, 'dist');
@@ -38,7 +40,7 @@ async function compared(webkit, address) {
     // A change of the fragment alone would not load the page.
     await webkit.open('about:blank');
     await webkit.open(`${address}#${link}`);
-    while (!(await webkit.run('return "bubblestone" in window'))) await setTimeout(100);
+    await webkit.promised(BEGUN);
   };
   /**
    * The text that an expression promises on the page of a link. The driver loses an answer now and then, so there are two tries.

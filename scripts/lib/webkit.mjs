@@ -36,7 +36,8 @@ async function freePort() {
 /** A screen in memory: its name, once it is there. */
 async function screen() {
   const child = spawn('Xvfb', ['-displayfd', '3', '-screen', '0', '1400x1000x24'], { stdio: ['ignore', 'ignore', 'ignore', 'pipe'] });
-  const [number] = await Promise.race([once(/** @type {import('node:stream').Readable} */ (child.stdio[3]), 'data'), once(child, 'error').then(([error]) => Promise.reject(error))]);
+  const ended = once(child, 'exit').then(() => Promise.reject(new Stop('Xvfb does not start.')));
+  const [number] = await Promise.race([once(/** @type {import('node:stream').Readable} */ (child.stdio[3]), 'data'), ended]);
   return { child, display: `:${String(number).trim()}` };
 }
 
@@ -47,8 +48,8 @@ async function screen() {
 export async function startWebkit() {
   const binary = browser();
   if (!binary || !which('Xvfb')) throw new Stop(`There is no WebKit to drive. On Debian, the packages ${PACKAGES} have it.`);
-  const home = mkdtempSync(join(tmpdir(), 'bubblestone-webkit-'));
   const { child: shown, display } = await screen();
+  const home = mkdtempSync(join(tmpdir(), 'bubblestone-webkit-'));
   const port = await freePort();
   /** @type {NodeJS.ProcessEnv} */
   const env = { ...process.env, DISPLAY: display, HOME: home, XDG_RUNTIME_DIR: home };
