@@ -1,7 +1,7 @@
 /** Starts the page. */
 import { t } from './words/words';
 import { byId } from './base/dom';
-import { readCommas } from './base/decimals';
+import { readSigns } from './base/decimals';
 import { reasonOf } from './base/errors';
 import { takeLanguage } from './base/language';
 import { alertOf, notice } from './base/messages';
@@ -48,7 +48,7 @@ function firstLink(): string {
 
 async function begin(): Promise<void> {
   followTheme();
-  readCommas();
+  readSigns();
   const app = new App();
   await app.furnish();
   window.bubblestone = app.scripts();

@@ -32,7 +32,7 @@ async function tabTo(page, selector, most = 120) {
   assert.fail(`the keyboard does not reach ${selector}`);
 }
 
-test('the keyboard alone pauses, steps, moves a slider, writes a number with a comma, and takes all back', async () => {
+test('the keyboard alone pauses, steps, moves a slider, writes numbers with a comma and a minus sign, and takes all back', async () => {
   const { page, problems, close } = await site.newPage(SMALL);
   await digest(page);
   const does = () => page.$eval('#play', (button) => button.textContent.trim());
@@ -51,7 +51,11 @@ test('the keyboard alone pauses, steps, moves a slider, writes a number with a c
   assert.ok(Number(await get(page, 'cs')) > size);
   await page.keyboard.press('ArrowLeft');
   assert.equal(Number(await get(page, 'cs')), size);
-  await page.$eval('[data-key=cs] [type=number]', (box) => (box.focus(), box.select()));
+  const select = () => page.$eval('[data-key=cs] [type=number]', (box) => (box.focus(), box.select()));
+  await select();
+  await page.keyboard.type('\u22123');
+  assert.equal(await page.$eval('[data-key=cs] [type=number]', (box) => box.value), '-3');
+  await select();
   await page.keyboard.type('20,5');
   await page.keyboard.press('Enter');
   assert.equal(await get(page, 'cs'), '20.5');

@@ -1,5 +1,5 @@
 /** Starts a page of the chapters: theme, language, marks of symbols, class mode, printing, and the figures. */
-import { readCommas } from '../base/decimals';
+import { readSigns } from '../base/decimals';
 import { byId, idle } from '../base/dom';
 import { followTheme } from '../base/theme';
 import { takeValue } from '../state/link';
@@ -98,7 +98,7 @@ async function store(): Promise<void> {
 function start(): void {
   byId('theme').hidden = false;
   followTheme();
-  readCommas();
+  readSigns();
   button('print', () => print());
   unfoldOnPaper();
   const lesson = bindClass(language);
