@@ -2,7 +2,9 @@
  * Files that the visitor drops, pastes or chooses. A model is known by its name. The content of any other file tells
  * whether it holds a recipe, a building or an outline, whatever the page shows.
  */
+import { t } from '../words/take';
 import { isModel } from '../base/files';
+import { alertOf } from '../base/messages';
 import type { Later } from '../base/later';
 import type { Work } from '../state/work';
 import type { Editor } from '../editor/editor';
@@ -26,8 +28,16 @@ export class GivenFiles {
     this.space = space;
   }
 
-  /** Opens a file. A model gets the `role`, if there is one. */
+  /** Opens a file. A model gets the `role`, if there is one. A folder, and a file that has gone, cannot be read. */
   async take(file: File, role?: string): Promise<void> {
+    try {
+      await this.open(file, role);
+    } catch {
+      alertOf('outline', t('unreadable', { name: file.name }));
+    }
+  }
+
+  private async open(file: File, role?: string): Promise<void> {
     const model = isModel(file.name);
     if (!model && (await openRecipe(this.work, file))) return;
     const isBuilding = !model && BUILDING.test(await file.slice(0, HEAD).text());
