@@ -138,11 +138,20 @@ function opened(): Promise<IDBDatabase> {
   });
 }
 
+/** A channel to the other open pages; undefined in old browsers, and in those that forbid it together with storing. */
+function openChannel(): BroadcastChannel | undefined {
+  try {
+    return new BroadcastChannel(NAME);
+  } catch {
+    return undefined;
+  }
+}
+
 /** Answers the requests of other pages with this page's files. */
 function answer(): void {
-  if (channel || typeof BroadcastChannel !== 'function') return;
-  channel = new BroadcastChannel(NAME);
-  channel.addEventListener('message', ({ data }: MessageEvent<{ want?: string }>) => {
+  if (channel) return;
+  channel = openChannel();
+  channel?.addEventListener('message', ({ data }: MessageEvent<{ want?: string }>) => {
     const kept = data.want === undefined ? undefined : here.get(data.want);
     if (kept) channel?.postMessage({ have: kept.digest, file: kept.file });
   });
@@ -150,8 +159,8 @@ function answer(): void {
 
 /** Requests a file from the other open pages. */
 async function fromOthers(digest: string): Promise<Blob | undefined> {
-  if (typeof BroadcastChannel !== 'function') return undefined;
-  const asking = new BroadcastChannel(NAME);
+  const asking = openChannel();
+  if (!asking) return undefined;
   try {
     return await new Promise((resolve) => {
       asking.addEventListener('message', ({ data }: MessageEvent<{ have?: string; file?: Blob }>) => {
