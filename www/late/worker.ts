@@ -1,5 +1,6 @@
 /** Workers with one job each: the request and the answer. */
 import { reasonOf } from '../base/errors';
+import { brokenBy } from './broken';
 import type { Task } from './task';
 
 /** The worker failed, and why. */
@@ -37,7 +38,7 @@ export function serve<Result extends object>(
 /** On the page: sends a job to a worker. Ends the worker with its answer, or when the task is stopped, to free its memory. */
 export async function answerOf<Result extends object>(worker: Worker, order: unknown, task: Task): Promise<Result | Broken> {
   const answer = new Promise<Result | Broken>((resolve, reject) => {
-    worker.addEventListener('error', ({ message }) => resolve({ broken: message }));
+    worker.addEventListener('error', (event) => resolve({ broken: brokenBy(event) }));
     worker.addEventListener('message', ({ data }: MessageEvent<WorkerMessage<Result>>) => {
       if ('progress' in data) task.progress(data.progress);
       else resolve(data);

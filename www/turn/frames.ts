@@ -1,4 +1,5 @@
 /** The page's side of the worker that makes frames: it sends the latest request there and receives frames. */
+import { reasonOf } from '../base/errors';
 import type { FrameSource, Heard, BodyInfo, PlacedLabel, Wished } from '../picture/frames/source';
 import type { About, Question, FrameMessage, Wish } from './turn.worker';
 
@@ -21,8 +22,13 @@ export class Frames implements FrameSource {
     const isSame = last && (Object.keys(wish) as (keyof typeof wish)[]).every((key) => wish[key] === last[key]);
     if (isSame && this.worker) return false;
     this.last = { ...wish, n: (last?.n ?? 0) + 1 };
-    this.worker ??= this.begin();
-    this.worker.postMessage(this.last satisfies Wish);
+    try {
+      this.worker ??= this.begin();
+      this.worker.postMessage(this.last satisfies Wish);
+    } catch (error) {
+      // Browsers refuse workers to a page in a closed frame. The answer comes later, as that of a worker would.
+      setTimeout(() => this.stop('lost', reasonOf(error)));
+    }
     return true;
   }
 

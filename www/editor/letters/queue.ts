@@ -1,4 +1,5 @@
 /** Requests outlines of letters. While one is being made, only the latest of the waiting requests is kept. */
+import { brokenBy } from '../../late/broken';
 import type { Letters, LettersRequest } from './letters.worker';
 
 export class LettersQueue {
@@ -18,7 +19,7 @@ export class LettersQueue {
       else if (this.wanted) act();
     };
     this.worker.addEventListener('message', ({ data }: MessageEvent<Letters | { broken: string }>) => over(() => ('broken' in data ? broke(data.broken) : come(data))));
-    this.worker.addEventListener('error', ({ message }) => over(() => broke(message)));
+    this.worker.addEventListener('error', (event) => over(() => broke(brokenBy(event))));
   }
 
   ask(order: LettersRequest): void {
