@@ -4,6 +4,7 @@ import { byId } from './base/dom';
 import { readSigns } from './base/decimals';
 import { reasonOf } from './base/errors';
 import { takeLanguage } from './base/language';
+import { noteLostStyles } from './base/lost-styles';
 import { alertOf, notice } from './base/messages';
 import { followTheme } from './base/theme';
 import { isHere, load } from './state/arrivals';
@@ -15,6 +16,7 @@ import { App } from './shell/app';
 import { hearMakes } from './shell/makes';
 
 async function start(): Promise<void> {
+  noteLostStyles();
   try {
     const embedded = isEmbedded();
     document.documentElement.toggleAttribute('data-embed', embedded);

@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
-import { open } from './harness.mjs';
-import { click, digest, frames, get, message, reloading, SMALL } from './page.mjs';
+import { dist, open } from './harness.mjs';
+import { click, digest, drop, frames, get, inSight, message, reloading, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -111,5 +111,99 @@ test('a module that does not arrive gets a sentence', sameEverywhere, async () =
     },
   });
   await message(page, 'alert', /could not be loaded/);
+  await close();
+});
+
+/** A page whose requests for files of this kind fail while `lost.now` matches them. @param {string} fragment */
+async function losing(fragment) {
+  const lost = { now: /^$/ };
+  const before = async (/** @type {import('puppeteer-core').Page} */ fresh) => {
+    await fresh.setRequestInterception(true);
+    fresh.on('request', (request) => (lost.now.test(request.url()) ? request.abort() : request.continue()));
+  };
+  return { lost, ...(await site.newPage(fragment, { before })) };
+}
+
+test('a part that did not arrive is told, and the next press shows it with its styles', sameEverywhere, async () => {
+  const { page, lost, close } = await losing(SMALL);
+  await digest(page);
+  const quiet = () => page.waitForFunction(() => !document.querySelector('[role=alert] .message'));
+  lost.now = /assets\/(light|look)-/;
+  await click(page, '#light-button');
+  await message(page, 'alert', /could not be loaded/);
+  await page.waitForSelector('#light-button[aria-pressed=false]');
+  lost.now = /^$/;
+  await click(page, '#light-button');
+  await page.waitForSelector('.light-layer');
+  assert.equal(await page.$eval('.light-layer', (layer) => getComputedStyle(layer).position), 'absolute');
+  await quiet();
+  lost.now = /assets\/ja-/;
+  await page.select('#language', 'ja');
+  await message(page, 'alert', /could not be loaded/);
+  lost.now = /^$/;
+  await page.select('#language', 'ja');
+  await page.waitForFunction(() => document.documentElement.lang === 'ja');
+  await quiet();
+  await close();
+});
+
+test('a part that never arrives can be had by loading the page again, which keeps the work', sameEverywhere, async () => {
+  const { page, lost, close } = await losing(`${SMALL}&seed=77`);
+  await digest(page);
+  lost.now = /assets\/(key-list|job\.worker)-/;
+  await click(page, '#save');
+  await click(page, '#save-svg');
+  await message(page, 'status', /could not be made: This part of the page could not be loaded/);
+  await click(page, '#keys-button');
+  await message(page, 'alert', /could not be loaded/);
+  lost.now = /^$/;
+  await reloading(page, () => click(page, '[role=alert] .actions button'));
+  await digest(page);
+  assert.equal(await get(page, 'seed'), '77');
+  await click(page, '#keys-button');
+  await page.waitForSelector('#keys[open]');
+  await close();
+});
+
+test('a browser without workers and storing keeps the picture, and opens a model', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(SMALL, {
+    before: (fresh) =>
+      fresh.evaluateOnNewDocument(() => {
+        const refuse = () => {
+          throw new DOMException('The operation is insecure.', 'SecurityError');
+        };
+        // As in a closed frame, and where cookies are blocked.
+        window.Worker = class extends EventTarget {
+          constructor() {
+            super();
+            refuse();
+          }
+        };
+        window.BroadcastChannel = window.Worker;
+        IDBFactory.prototype.open = refuse;
+      }),
+  });
+  await digest(page);
+  await click(page, '#turn-button');
+  await message(page, 'alert', /could not be loaded/);
+  await page.waitForSelector('#turn-button[aria-pressed=false]');
+  assert.equal(await page.$('.turn'), null);
+  await drop(page, 'wedge.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n', '');
+  await message(page, 'status', /wedge\.obj could not be kept/);
+  assert.equal(await get(page, 'form'), 'file');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+// Only Chromium's protocol drops files from the disk.
+test('a dropped folder cannot be read, which a sentence tells', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(SMALL);
+  await digest(page);
+  const { x, y } = await inSight(page, '#sheet');
+  const browser = await page.createCDPSession();
+  const data = { items: [], files: [dist], dragOperationsMask: 1 };
+  for (const type of /** @type {const} */ (['dragEnter', 'dragOver', 'drop'])) await browser.send('Input.dispatchDragEvent', { type, x: x + 50, y: y + 50, data });
+  await message(page, 'alert', /could not be read, and nothing has changed/);
+  assert.deepEqual(problems, []);
   await close();
 });

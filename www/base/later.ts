@@ -1,5 +1,7 @@
 /** Lazy parts of the page, loaded at their first use. */
 import { t } from '../words/words';
+import { make } from './dom';
+import { bringLostStyles } from './lost-styles';
 import { alertOf, clear } from './messages';
 
 export class Later<T> {
@@ -14,23 +16,33 @@ export class Later<T> {
 
   /** Loads the part once. Reports a failure, after which the next call tries again. */
   load(): Promise<T | undefined> {
-    this.coming ??= this.bring().then(
+    this.coming ??= bringLostStyles().then(this.bring).then(
       (part) => {
         clear('part');
         return (this.here = part);
       },
       () => {
         this.coming = undefined;
-        alertOf('part', t('lost_part'));
+        tellLost();
         return undefined;
       },
     );
     return this.coming;
   }
 
-  /** Calls `act` with the part: now if it is loaded, else as soon as it is. */
-  ask(act: (part: T) => void): void {
+  /** Calls `act` with the part: now if it is loaded, else as soon as it is. Calls `lost` if it does not load. */
+  ask(act: (part: T) => void, lost?: () => void): void {
     if (this.here !== undefined) act(this.here);
-    else void this.load().then((part) => part !== undefined && act(part));
+    else void this.load().then((part) => (part === undefined ? lost?.() : act(part)));
   }
+}
+
+/**
+ * Tells that a part did not load. Another try is in vain in browsers that never fetch a script again, such as Firefox, and
+ * after the site was replaced by a newer build. So the page can be loaded again, which keeps the work.
+ */
+export function tellLost(): void {
+  const again = make('button', { type: 'button' }, t('reload'));
+  again.addEventListener('click', () => location.reload());
+  alertOf('part', t('lost_part'), again);
 }

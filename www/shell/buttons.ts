@@ -1,9 +1,10 @@
 /** The page's own buttons and keys. */
 import { language, t } from '../words/words';
 import { byId, byIdAs, enable, say } from '../base/dom';
-import { alertOf } from '../base/messages';
 import { bindKeys, listenToKeys } from '../base/keys';
 import { speak } from '../base/language';
+import { tellLost } from '../base/later';
+import { clear } from '../base/messages';
 import type { History } from '../state/history';
 import type { State } from '../state/store';
 import type { Work } from '../state/work';
@@ -45,9 +46,13 @@ export function bindButtons(house: House): void {
   select.addEventListener('change', () => {
     const isLost = (): void => {
       select.value = language();
-      alertOf('part', t('lost_part'));
+      tellLost();
     };
-    void speak(select.value).then(() => host.loop.redraw(), isLost);
+    const isSpoken = (): void => {
+      clear('part');
+      host.loop.redraw();
+    };
+    void speak(select.value).then(isSpoken, isLost);
   });
   store.on(['past', 'future', 'stored', 'own'], showHistory);
   showHistory(store.state);

@@ -91,9 +91,11 @@ function tool(store: Store, name: Tool, part: Later<Shown>): void {
   const button = byId(`${name}-button`);
   const state = button.hasAttribute('aria-pressed') ? 'aria-pressed' : 'aria-expanded';
   button.addEventListener('click', () => button.hidden || store.update({ [name]: !store.state[name] }));
+  // A tool that did not load is off, so that the next press shows it. Without a button, it stays wanted.
+  const follow = (): void => part.ask((it) => it.show(store.state[name]), () => button.hidden || store.update({ [name]: false }));
   store.on([name], (now) => {
     button.setAttribute(state, String(now[name]));
-    part.ask((it) => it.show(store.state[name]));
+    if (now[name] || part.here) follow();
   });
-  if (store.state[name]) part.ask((it) => it.show(store.state[name]));
+  if (store.state[name]) follow();
 }

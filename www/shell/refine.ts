@@ -2,6 +2,7 @@
  * Loads look/fine.ts, which lays finer pixels over the canvas, if the visitor wants them. It is loaded with the first
  * finished picture, or at a pause, when a drawing stands still. Without it the plain canvas stays.
  */
+import { bringLostStyles } from '../base/lost-styles';
 import type { View } from '../picture/view';
 import type { Work } from '../state/work';
 
@@ -10,7 +11,7 @@ export function refine(work: Work, view: View, finished: Promise<unknown>): void
   let coming: Promise<unknown> | undefined;
   let isStill = false;
   const bring = (): void => {
-    if (isStill && store.state.fine) coming ??= import('../look/fine').then(({ keepFine }) => keepFine(work, view), () => (coming = undefined));
+    if (isStill && store.state.fine) coming ??= bringLostStyles().then(() => import('../look/fine')).then(({ keepFine }) => keepFine(work, view), () => (coming = undefined));
   };
   const rest = (): void => {
     isStill = true;

@@ -1,4 +1,4 @@
-/** The state in the address: the only file that touches `location` and `history`. */
+/** The state in the address: no other file reads or writes the address and the browser's history. */
 
 /** Milliseconds between two changes of the address. */
 const THROTTLE = 500;
