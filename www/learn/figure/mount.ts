@@ -124,9 +124,9 @@ class Page {
     this.link.write(state);
   }
 
-  /** The module, once; without it the figures stay pictures. */
+  /** The module, once; without it the figures stay pictures, and the next one that comes near asks again. */
   module(): Promise<Bubbles | undefined> {
-    return (this.loading ??= import('../../module/first').then(({ loadFirst }) => loadFirst()).catch(() => undefined));
+    return (this.loading ??= import('../../module/first').then(({ loadFirst }) => loadFirst()).catch(() => (this.loading = undefined)));
   }
 
   private open(fragment: string): void {
