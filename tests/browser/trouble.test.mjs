@@ -168,6 +168,9 @@ test('a part that never arrives can be had by loading the page again, which keep
   await click(page, '#keys-button');
   await page.waitForSelector('#keys[open]');
   await close();
+  const embedded = await losing(`?embed${SMALL}`, /assets\/embed-/);
+  await message(embedded.page, 'alert', /could not be loaded/);
+  await embedded.close();
 });
 
 test('a browser without workers and storing keeps the picture, and opens a model', sameEverywhere, async () => {
