@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { open } from './harness.mjs';
-import { digest, frames, get, phone, SMALL, steps } from './page.mjs';
+import { digest, drop, frames, get, message, phone, SMALL, steps } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -100,6 +100,35 @@ test('single keys work anywhere but where they are text', async () => {
   await page.keyboard.press('Enter');
   await frames(page, 1);
   assert.match(await get(page, 'seed'), /52/);
+  await close();
+});
+
+test('a message that is dismissed by keyboard gives the focus back, else to the next message, else to the picture', async () => {
+  const { page, problems, close } = await site.newPage(SMALL);
+  await digest(page);
+  const focus = () => page.evaluate(() => document.activeElement.id || document.activeElement.closest('[role=alert], [role=status]')?.role);
+  const tooLarge = async () => {
+    await page.$eval('[data-key=cs] [type=number]', (box) => (box.focus(), box.select()));
+    await page.keyboard.type('9999');
+    await page.keyboard.press('Enter');
+    await message(page, 'status', /\d/);
+    return focus();
+  };
+  const box = await tooLarge();
+  await page.focus('[role=status] .message .close');
+  await page.keyboard.press('Enter');
+  assert.deepEqual([await focus(), await page.$('.message:not([data-topic=offline])')], [box, null]);
+  // Nothing had the focus before.
+  await tooLarge();
+  await drop(page, 'none.svg', 'no drawing', 'image/svg+xml');
+  await message(page, 'alert', /none/);
+  await page.evaluate(() => document.activeElement.blur());
+  await page.focus('[role=alert] .message .close');
+  for (const next of ['status', 'cells']) {
+    await page.keyboard.press('Enter');
+    assert.equal(await focus(), next);
+  }
+  assert.deepEqual(problems, []);
   await close();
 });
 

@@ -5,6 +5,7 @@
  */
 import { t } from '../words/words';
 import { byId, make } from './dom';
+import { followFocus, giveBack } from './message-focus';
 
 /** Notices of the same topic replace each other. */
 export type Topic = 'link' | 'value' | 'outline' | 'done' | 'files' | 'opened' | 'busy' | 'replaced' | 'offline' | 'trouble' | 'module' | 'part' | 'language' | 'remarks';
@@ -44,7 +45,15 @@ export function alertOf(topic: Topic, sentence: string, ...actions: HTMLElement[
 
 /** Removes the messages of a topic. */
 export function clear(topic: Topic): void {
-  for (const note of document.querySelectorAll(`.message[data-topic="${topic}"]`)) note.remove();
+  for (const note of document.querySelectorAll(`.message[data-topic="${topic}"]`)) remove(note);
+}
+
+/** Removes a message. If it is in use by keyboard, the focus goes back. */
+export function remove(note: Element): void {
+  const isUsed = note.querySelector(':focus-visible') !== null;
+  note.remove();
+  showNewest(byId('notices'));
+  if (isUsed) giveBack();
 }
 
 function put(place: 'alerts' | 'notices', topic: Topic, sentences: string[]): HTMLElement | undefined {
@@ -56,7 +65,7 @@ function put(place: 'alerts' | 'notices', topic: Topic, sentences: string[]): HT
       ? make('p', {}, sentences[0] ?? '')
       : make('div', {}, make('p', {}, t('things', { n: sentences.length })), make('ul', {}, ...sentences.map((sentence) => make('li', {}, sentence))));
   const note = make('div', { class: 'message', 'data-topic': topic }, text, close);
-  close.addEventListener('click', () => note.remove());
+  close.addEventListener('click', () => remove(note));
   watching ??= watch();
   byId(place).append(note);
   return note;
@@ -67,6 +76,7 @@ function watch(): MutationObserver {
   const box = byId('notices');
   const observer = new MutationObserver(() => showNewest(box));
   observer.observe(box, { childList: true });
+  for (const place of [box, byId('alerts')]) followFocus(place);
   for (const sign of ['pointerenter', 'pointerleave', 'focusin', 'focusout']) box.addEventListener(sign, () => wait(box));
   return observer;
 }
