@@ -8,8 +8,8 @@ import { FloatType, RedFormat } from 'three';
 import { EXRLoader } from 'three/addons/loaders/EXRLoader.js';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { click, digest, message, messages, SMALL } from './page.mjs';
-import { choose, dialog, files, opened, saved } from './saved.mjs';
+import { click, digest, message, messages, set, SMALL } from './page.mjs';
+import { choose, dialog, files, handed, opened, saved } from './saved.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -100,6 +100,53 @@ test('before the picture is done a sentence says so', sameEverywhere, async () =
     assert.equal((await messages(page)).filter((text) => text.includes('when it is done')).length, 1);
     await page.$eval('.message .close', (close) => close.click());
   }
+  // The step that is held is saved as it is shown.
+  const { data } = PNG.sync.read(Buffer.from((await saved(page, '#save-png')).bytes));
+  assert.deepEqual([...data], await pixels(page));
+  assert.equal(await page.$eval('html', ({ dataset }) => dataset.stage), 'packing');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+/** The pixels of the picture. */
+const pixels = (page) => page.$eval('#canvas', (canvas) => [...canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data]);
+
+test('a file waits for the picture and is saved by itself, unless it is stopped or the picture is changed or paused', sameEverywhere, async () => {
+  const { page, problems, close } = await opened(site, `${SMALL}&vs=0.1&pace=0.1`);
+  const waits = async (button) => {
+    await page.waitForSelector('[data-stage=packing]');
+    await dialog(page);
+    await click(page, button);
+    await page.waitForFunction(() => /is made when the picture is done/.test(document.querySelector('#notices .message:has(progress, #stop-files) p')?.textContent ?? ''));
+  };
+  const ends = { stopped: () => click(page, '#stop-files'), 'picture was changed': () => set(page, 'seed', '2'), 'is paused': () => click(page, '#play') };
+  for (const [sentence, act] of Object.entries(ends)) {
+    await waits('#save-maps');
+    await act();
+    await message(page, 'status', new RegExp(sentence));
+    assert.equal(await page.$('#stop-files'), null);
+    assert.equal(await page.evaluate(() => window.saved), undefined);
+  }
+  await click(page, '#play');
+  // The picture of the size that is shown waits as well.
+  await handed(page, async () => {
+    await waits('#save-png');
+    await page.$eval('#speed label:last-of-type input', (fastest) => fastest.click());
+  });
+  const kept = await page.evaluate(async () => {
+    const shown = await createImageBitmap(window.saved.blob);
+    const context = new OffscreenCanvas(shown.width, shown.height).getContext('2d');
+    context.drawImage(shown, 0, 0);
+    return [...context.getImageData(0, 0, shown.width, shown.height).data];
+  });
+  assert.deepEqual(await page.$eval('html', ({ dataset }) => dataset.stage), 'done');
+  assert.deepEqual(kept, await pixels(page));
+  await set(page, 'seed', '3');
+  await handed(page, async () => {
+    await dialog(page);
+    await click(page, '#save-maps');
+  });
+  assert.match(await page.evaluate(() => window.saved.name), /-3-192-maps-opengl\.zip$/);
   assert.deepEqual(problems, []);
   await close();
 });

@@ -3,9 +3,11 @@ import { t } from '../words/take';
 import { make } from '../base/dom';
 import { notice, offerOf } from '../base/messages';
 import { offer } from '../late/download';
+import type { ToldTask } from '../late/task';
 import type { Engine } from '../state/engine';
 import type { Store } from '../state/store';
 import type { Codec, Shape } from './files/codecs';
+import { finished } from './finished';
 import { fileOf } from './job';
 import { nameOf } from './name';
 import { seenNow } from './seen';
@@ -19,10 +21,11 @@ export function makeFilm(engine: Engine, store: Store, shape: Shape, codecs: Cod
   const { preset, recipe } = store.state;
   const style = getComputedStyle(document.body);
   const words = { title: preset?.recipe === recipe ? preset.shown.title : '', font: style.getPropertyValue('--serif'), latin: style.getPropertyValue('--latin') };
-  const work = async (task: Parameters<typeof fileOf>[2]): Promise<Blob> => {
-    if (shape !== 'turn' && engine.stage() !== 'done') throw new Error(engine.problem() || t('wait'));
-    if (shape === 'turn') return fileOf(engine.link(), { file: 'turn-film', codecs, ...seenNow(engine, store) }, task);
-    return fileOf(engine.link(), { file: 'film', codecs, shape, words, ...seenNow(engine, store) }, task);
+  const work = async (task: ToldTask): Promise<Blob> => {
+    const seen = seenNow(engine, store);
+    if (shape === 'turn') return fileOf(engine.link(), { file: 'turn-film', codecs, ...seen }, task);
+    await finished(engine, store, task);
+    return fileOf(engine.link(), { file: 'film', codecs, shape, words, ...seen }, task);
   };
   return working(nameOf(engine, store, { variant: [shape], ending: codecs[0]?.file ?? 'gif' }), work, handOver);
 }

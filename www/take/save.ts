@@ -2,7 +2,7 @@
 import { t } from '../words/take';
 import { make, say } from '../base/dom';
 import { MODELS } from '../base/files';
-import type { Task } from '../late/task';
+import type { ToldTask } from '../late/task';
 import { pageAddress } from '../state/link';
 import type { Engine } from '../state/engine';
 import type { Work } from '../state/work';
@@ -12,6 +12,7 @@ import { FILES, makeFilm } from './film';
 import { codecsFor, type Codec, type FormingShape } from './files/codecs';
 import type { Job } from './files/job.worker';
 import { slabSize, type Slab } from './files/slab';
+import { finished, still } from './finished';
 import { fileOf } from './job';
 import { megabytes, meshes } from './meshes';
 import { nameOf } from './name';
@@ -48,7 +49,7 @@ const GRIDS = [128, 256, 512, 1024];
 /** Files that carry their link. */
 const SIGNED: readonly Job['file'][] = ['picture', 'turn', 'svg'];
 
-type Making = (task: Task) => Promise<Blob>;
+type Making = (task: ToldTask) => Promise<Blob>;
 
 export class SaveDialog {
   private readonly work: Work;
@@ -89,15 +90,13 @@ export class SaveDialog {
     return key;
   }
 
-  /**
-   * Has the worker make a file. Files of the `finished` picture can be made only once it is finished, because the
-   * visitor has to see what is saved.
-   */
-  private made(job: () => Job, finished = true): Making {
-    const { engine } = this.work;
+  /** Has the worker make a file. One of the finished picture `waits` for it. */
+  private made(job: () => Job, waits = true): Making {
+    const { engine, store } = this.work;
     return async (task) => {
-      if (finished && engine.stage() !== 'done') throw new Error(engine.problem() || t('wait'));
-      const [link, order] = [engine.link(), job()];
+      const order = job();
+      if (waits) await finished(engine, store, task);
+      const link = engine.link();
       const file = await fileOf(link, order, task);
       return SIGNED.includes(order.file) ? signed(file, pageAddress(link)) : file;
     };
@@ -105,14 +104,19 @@ export class SaveDialog {
 
   private pictures(): HTMLElement[] {
     const { canvas } = this;
-    const { engine, store: { state: { view } } } = this.work;
+    const { engine, store } = this.work;
+    const { view } = store.state;
+    const asShown: Making = async (task) => {
+      await still(engine, store, task);
+      return shownPng(canvas, engine.link());
+    };
     return SCALES.filter((scale) => scale === 1 || canvas.width * scale <= MOST).map((scale) => {
       const n = canvas.width * scale;
       const ms = scale === 1 ? 0 : timeOf(engine, scale);
       const word = timed(t('pixels', { n }), ms);
       const key =
         scale === 1
-          ? this.button('save-png', word, { size: n, variant: [view !== 'auto' && view], ending: 'png' }, () => shownPng(canvas, this.work.engine.link()))
+          ? this.button('save-png', word, { size: n, variant: [view !== 'auto' && view], ending: 'png' }, asShown)
           : this.button(`save-png-${scale}`, word, { size: n, ending: 'png' }, this.made(() => ({ file: 'picture', scale })));
       key.setAttribute('aria-label', timed(t('pixels_label', { n }), ms));
       return key;

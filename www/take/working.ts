@@ -3,7 +3,7 @@ import { t } from '../words/take';
 import { reasonOf } from '../base/errors';
 import { clear, notice } from '../base/messages';
 import { offer } from '../late/download';
-import { stoppable, type Task } from '../late/task';
+import { stoppable, type ToldTask } from '../late/task';
 
 /** The name of the file that is being made. */
 let busy: string | undefined;
@@ -12,7 +12,7 @@ let busy: string | undefined;
  * Makes a file and hands it over. `work` throws an Error with a sentence if the file cannot be made. `hand` may hand
  * it over in another way, and then returns true.
  */
-export async function working(name: string, work: (task: Task) => Promise<Blob>, hand: (file: Blob, name: string) => boolean = () => false): Promise<void> {
+export async function working(name: string, work: (task: ToldTask) => Promise<Blob>, hand: (file: Blob, name: string) => boolean = () => false): Promise<void> {
   if (busy !== undefined) {
     notice('busy', t('busy', { name: busy }));
     return;
