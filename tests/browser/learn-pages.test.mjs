@@ -263,9 +263,13 @@ test('the other language opens with the same state', async () => {
     for (let k = 0; k < 4; k += 1) document.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight' }));
   });
   const there = await screen();
+  // So do the hands that were counted there.
+  await page.$eval('[data-ask=far] label:has([value=b]) + .hands', (box) => (box.value = '12'));
   await Promise.all([page.waitForNavigation({ waitUntil: 'load' }), page.evaluate(() => document.querySelector('#language').click())]);
   await page.waitForSelector('[data-class]');
   assert.deepEqual([await screen(), await page.$eval('#class', (button) => button.ariaPressed)], [there, 'true']);
+  const hands = (shown) => shown.$$eval('.hands', (boxes) => boxes.map(({ value }) => value).filter(Boolean));
+  assert.deepEqual([await hands(page), await page.$eval('[data-ask=far] label:has([value=b]) + .hands', ({ value }) => value)], [['12'], '12']);
   assert.equal(decodeURIComponent(await page.evaluate(() => location.hash)), decodeURIComponent(fragment));
   // Without a class, the other language is an ordinary page.
   await page.keyboard.press('Escape');
@@ -273,6 +277,12 @@ test('the other language opens with the same state', async () => {
   await begun(page);
   assert.equal(await page.evaluate(() => document.documentElement.hasAttribute('data-class')), false);
   await close();
+
+  const made = await site.newPage(`${CHAPTERS[0]}#hands=far.a.7,far.b.999,far.c.-1,made.a.1e1,made.b.,made.c.%3Cb%3E,none.a.5`);
+  await begun(made.page);
+  assert.deepEqual([await hands(made.page), await made.page.evaluate(() => location.hash)], [['7'], '']);
+  assert.deepEqual(made.problems, []);
+  await made.close();
 });
 
 test('the studio leads to the chapters in its language', sameEverywhere, async () => {

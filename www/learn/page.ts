@@ -2,9 +2,9 @@
 import { readSigns } from '../base/decimals';
 import { byId, idle } from '../base/dom';
 import { followTheme } from '../base/theme';
-import { takeValue } from '../state/link';
+import { keepState, restore, takeScreen } from './carried';
 import { mountFigures } from './figure/mount';
-import { bindClass, type Lesson } from './lesson';
+import { bindClass } from './lesson';
 
 import './page.css';
 import './lesson.css';
@@ -17,37 +17,6 @@ function button(id: string, act: () => void): void {
   if (!found) return;
   found.hidden = false;
   found.addEventListener('click', act);
-}
-
-/** The word of the chosen answers in the address of the other language. */
-const CHOSEN = 'chosen';
-
-/** The word of the screen of a class in the address of the other language. */
-const CLASS = 'class';
-
-/** Each answer as the key of its question and its value. */
-const answers = (): readonly (readonly [answer: string, input: HTMLInputElement])[] =>
-  [...document.querySelectorAll<HTMLInputElement>('[data-ask] input[type="radio"]')].map((input) => [`${input.closest('[data-ask]')?.getAttribute('data-ask') ?? ''}.${input.value}`, input]);
-
-/** Makes the link to the other language open the same figure in the same state, with the same answers, on the same screen of a class. */
-function keepState(link: HTMLAnchorElement, lesson: Lesson | undefined): void {
-  const follow = (): void => {
-    const chosen = answers().flatMap(([answer, { checked }]) => (checked ? [answer] : []));
-    const screen = lesson?.screen ?? -1;
-    link.hash = [location.hash.slice(1), chosen.length ? `${CHOSEN}=${chosen.join(',')}` : '', screen < 0 ? '' : `${CLASS}=${screen}`].filter(Boolean).join('&');
-  };
-  // The figures write the address without an event.
-  for (const event of ['pointerdown', 'focus', 'click']) link.addEventListener(event, follow);
-}
-
-/** Chooses the answers that were chosen in the other language. They leave the address, which the visitor may share. */
-function choose(): void {
-  const chosen = takeValue(CHOSEN).split(',');
-  for (const [answer, input] of answers()) {
-    if (!chosen.includes(answer)) continue;
-    input.checked = true;
-    input.dispatchEvent(new Event('change', { bubbles: true }));
-  }
 }
 
 /** Choosing an answer marks it and opens the discussion of the answers. */
@@ -105,12 +74,12 @@ function start(): void {
   const link = document.getElementById('language');
   if (link instanceof HTMLAnchorElement) keepState(link, lesson);
   for (const ask of document.querySelectorAll('[data-ask]')) openReplies(ask);
-  choose();
+  restore();
   markSymbols();
-  const screen = takeValue(CLASS);
+  const screen = takeScreen();
   mountFigures(document, language);
   // Figures have read their state, which may belong to another screen.
-  if (screen) lesson?.begin(Number(screen));
+  if (screen !== undefined) lesson?.begin(screen);
   addEventListener('load', () => void store());
 }
 
