@@ -301,6 +301,7 @@ test('the studio leads to the chapters in its language', sameEverywhere, async (
 
 /** The windows of a class. */
 const projector = { width: 1024, height: 768 };
+const small = { width: 800, height: 600 };
 const wide = { width: 1920, height: 1080 };
 
 test('on paper a chapter has every figure and every answer, and no handles', sameEverywhere, async () => {
@@ -430,7 +431,9 @@ test('each sheet has two pages, on A4 and on Letter, and no picture tells the an
 });
 
 test('in class every slide fits the screen with a large picture; an answer, and the sentence on what happened, move nothing', sameEverywhere, async () => {
-  const screens = [...[...CHAPTER_PATHS].map((path) => ({ path, viewport: projector })), ...BY_TURNS.map(({ path }) => ({ path, viewport: wide }))];
+  // Four plates, and the longest questions.
+  const onSmall = ['learn/many-bubbles/', 'learn/ja/which-way/'].map((path) => ({ path, viewport: small }));
+  const screens = [...[...CHAPTER_PATHS].map((path) => ({ path, viewport: projector })), ...BY_TURNS.map(({ path }) => ({ path, viewport: wide })), ...onSmall];
   for (const { path, viewport } of screens) {
     const { page, close } = await site.newPage(path, { viewport });
     await begun(page);
