@@ -46,6 +46,12 @@ for (const [letters, before] of Object.entries({ usual: undefined, large })) {
     assert.equal(cut, letters === 'large');
     assert.ok(right <= phone.width, `the name ends at ${right}`);
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= phone.width);
+    // A short name leaves room beside it. The buttons have a row of their own all the same, with room for a finger.
+    await drop(page, 'wedge.obj', WEDGE, '');
+    await page.waitForFunction(() => document.querySelector('#model-name')?.textContent === 'wedge.obj' && document.querySelector('#model-move:not([hidden])'));
+    const buttons = await page.$$eval('#model > :is(button, .segments)', (all) => all.filter((one) => one.checkVisibility()).map((one) => one.getBoundingClientRect().toJSON()));
+    assert.ok(buttons.length > 2 && buttons.every(({ height }) => height >= 44), JSON.stringify(buttons));
+    if (letters === 'usual') assert.ok(Math.max(...buttons.map(({ top }) => top)) < Math.min(...buttons.map(({ bottom }) => bottom)), 'more than one row');
     assert.deepEqual(problems, []);
     await close();
   });

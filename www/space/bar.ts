@@ -80,6 +80,7 @@ export class ModelBar {
 
   private axis(row: Parameter | undefined): void {
     this.up.hidden = row === undefined;
+    this.root.toggleAttribute('data-up', row !== undefined);
     if (!row) return;
     const now = this.work.engine.get(row.key);
     const axes = [row.key, ...row.choices.map(({ label }) => label)].join();
