@@ -57,6 +57,11 @@ impl Status {
         }
     }
 
+    /// Whether the value was made from inputs of these revisions, with any parameters.
+    pub fn was_made_of(&self, inputs: Inputs) -> bool {
+        self.made_of == Some(inputs)
+    }
+
     /// Why the value cannot be made.
     pub fn failure(&self) -> Option<&Notice> {
         self.failure.as_ref()
@@ -199,7 +204,7 @@ impl<P: Clone + PartialEq, W, T> Node<P, W, T> {
 
     /// The value if it was made from these inputs, with any parameters.
     pub(super) fn made_of(&self, inputs: Inputs) -> Option<&T> {
-        self.made().filter(|_| self.status.made_of == Some(inputs))
+        self.made().filter(|_| self.status.was_made_of(inputs))
     }
 
     /// The work in progress, on any inputs. It stays visible until new work begins.

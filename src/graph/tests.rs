@@ -150,6 +150,26 @@ impl Sums {
 }
 
 #[test]
+fn a_value_is_current_if_all_values_before_it_are() {
+    let mut sums = Sums::new();
+    sums.finish();
+    sums.base.ask(2);
+    sums.take_up();
+    // The last base stays until the next one is made.
+    assert_eq!(sums.current(&sums.sum), Some(&11));
+    sums.advance();
+    sums.advance();
+    // The inputs of the sum are those that it was made of, but they were made of another base.
+    assert_eq!(sums.base.made(), Some(&2));
+    assert_eq!(
+        (sums.current(&sums.left), sums.current(&sums.sum)),
+        (None, None)
+    );
+    sums.finish();
+    assert_eq!(sums.current(&sums.sum), Some(&13));
+}
+
+#[test]
 fn a_wiring_makes_what_is_stale_in_the_order_of_its_tasks() {
     let mut sums = Sums::new();
     assert_eq!(sums.finish(), [0, 1, 1, 1, 1, 1, 2, 2, 2, 2]);

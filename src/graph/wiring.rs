@@ -13,6 +13,8 @@ pub struct Task<S: Wiring> {
     pub node_mut: fn(&mut S) -> &mut dyn AnyNode,
     /// The revisions of the inputs.
     pub inputs: fn(&S) -> Inputs,
+    /// The nodes of the inputs, if each input is a node.
+    pub sources: fn(&S) -> Vec<&dyn AnyNode>,
     /// Does one slice of the work; `None` if an input is missing.
     pub make: fn(&mut S) -> Option<()>,
 }
@@ -21,9 +23,12 @@ pub struct Task<S: Wiring> {
 /// and the function that makes the value.
 macro_rules! task {
     ($stage:expr, $($node:ident).+, [$($($input:ident).+),*], $make:expr) => {
-        $crate::graph::task!($stage, $($node).+, |_all| {
-            $crate::graph::inputs([$(_all.$($input).+.revision()),*])
-        }, $make)
+        $crate::graph::Task {
+            sources: |_all| vec![$(&_all.$($input).+),*],
+            ..$crate::graph::task!($stage, $($node).+, |_all| {
+                $crate::graph::inputs([$(_all.$($input).+.revision()),*])
+            }, $make)
+        }
     };
     ($stage:expr, $($node:ident).+, $inputs:expr, $make:expr) => {
         $crate::graph::Task {
@@ -31,6 +36,7 @@ macro_rules! task {
             node: |all| &all.$($node).+,
             node_mut: |all| &mut all.$($node).+,
             inputs: $inputs,
+            sources: |_| Vec::new(),
             make: $make,
         }
     };
@@ -111,11 +117,26 @@ pub trait Wiring: Sized + 'static {
         nodes.map(|node| node.status().slices()).sum()
     }
 
+    /// The task of a node.
+    fn task_of(&self, node: &dyn AnyNode) -> Option<&'static Task<Self>> {
+        let is_of = |task: &&Task<Self>| std::ptr::addr_eq((task.node)(self), node);
+        Self::TASKS.iter().find(is_of)
+    }
+
     /// The present inputs of a node.
     fn inputs_of(&self, node: &dyn AnyNode) -> Inputs {
-        let is_of = |task: &&Task<Self>| std::ptr::addr_eq((task.node)(self), node);
-        let task = Self::TASKS.iter().find(is_of);
+        let task = self.task_of(node);
         task.map_or(Inputs::default(), |task| (task.inputs)(self))
+    }
+
+    /// Whether the values of all inputs of a node were made from the present values of theirs, and so on, with any
+    /// parameters. If not, the node's value and those of its inputs do not belong together.
+    fn has_current_inputs(&self, node: &dyn AnyNode) -> bool {
+        let task = self.task_of(node);
+        let sources = task.map_or(Vec::new(), |task| (task.sources)(self));
+        sources.into_iter().all(|source| {
+            source.status().was_made_of(self.inputs_of(source)) && self.has_current_inputs(source)
+        })
     }
 
     /// Whether a node's value was made with the present parameters from the present inputs.
@@ -124,19 +145,22 @@ pub trait Wiring: Sized + 'static {
         node.status().state(self.inputs_of(node)) == State::Fresh
     }
 
-    /// A node's value, if it was made from the present inputs, with any parameters.
+    /// A node's value, if it was made from the present inputs, and these from theirs, with any parameters. So it fits
+    /// the values of all nodes before it.
     fn current<'a, P, W, T>(&self, node: &'a Node<P, W, T>) -> Option<&'a T>
     where
         P: Clone + PartialEq,
     {
-        node.made_of(self.inputs_of(node))
+        let value = node.made_of(self.inputs_of(node));
+        value.filter(|_| self.has_current_inputs(node))
     }
 
-    /// A node's work, if it was begun on the present inputs.
+    /// A node's work, if it was begun on the present inputs, and these were made from theirs.
     fn begun<'a, P, W, T>(&self, node: &'a Node<P, W, T>) -> Option<&'a W>
     where
         P: Clone + PartialEq,
     {
-        node.work_of(self.inputs_of(node))
+        let work = node.work_of(self.inputs_of(node));
+        work.filter(|_| self.has_current_inputs(node))
     }
 }

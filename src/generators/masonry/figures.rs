@@ -21,7 +21,7 @@ enum Meant<'a> {
 impl MasonryStages {
     /// The face that has an id in diagrams of features, if it has a map.
     pub(super) fn face_of(&self, id: u32) -> Option<FaceId> {
-        let laying = self.cells.made()?;
+        let laying = self.laying()?;
         let feature = laying.order().get((id as usize).checked_sub(1)?)?;
         let mut textured = laying.textured_faces();
         textured.find(|&face| Feature::Face(face) == *feature)
@@ -31,7 +31,7 @@ impl MasonryStages {
 impl MasonryEngine {
     fn meant(&self, id: u32) -> Option<Meant<'_>> {
         let place = (id as usize).checked_sub(1)?;
-        let laying = self.made.cells.made();
+        let laying = self.made.laying();
         match self.picture.shown()?.0.view {
             MasonryView::Polygons => {
                 let count = self.made.site.made()?.building.polygons().len();
@@ -53,11 +53,8 @@ impl MasonryEngine {
     pub(super) fn measures(&self, id: u32) -> Vec<(&'static str, f64)> {
         match self.meant(id) {
             Some(Meant::Cell(cell)) => {
-                let course = self
-                    .made
-                    .cells
-                    .made()
-                    .and_then(|laying| laying.course(cell));
+                let laying = self.made.laying();
+                let course = laying.and_then(|laying| laying.course(cell));
                 let course = course.map(|course| ("course", course as f64));
                 let sort = ("sort", f64::from(cell.sort as u8));
                 let own = size(cell).into_iter().chain([sort]).chain(course);
@@ -81,7 +78,7 @@ impl MasonryEngine {
     /// shown.
     fn taken(&self, feature: Feature) -> Vec<(&'static str, f64)> {
         let shown = self.picture.shown().map(|(key, _)| key.view);
-        match (feature, self.made.cells.made()) {
+        match (feature, self.made.laying()) {
             (Feature::Face(face), Some(laying)) if shown == Some(MasonryView::Occupancy) => {
                 let shares = diagrams::occupied(laying, face).map(|share| 100.0 * share);
                 ["before", "after"].into_iter().zip(shares).collect()
@@ -115,7 +112,7 @@ impl MasonryEngine {
             Meant::Feature(feature) => feature,
             Meant::Polygon(polygon) => Feature::Face(site.building.polygon(polygon).face),
         };
-        let node = match (meant, self.made.cells.made()) {
+        let node = match (meant, self.made.laying()) {
             (Meant::Cell(cell), Some(laying)) => laying.node_path(cell),
             _ => None,
         };
@@ -129,7 +126,7 @@ impl MasonryEngine {
 
     /// The caption of a view that is shown.
     pub(super) fn meaning(&self, words: &str) -> Option<Notice> {
-        let laying = self.made.cells.made()?;
+        let laying = self.made.laying()?;
         match MasonryView::of_words(words) {
             MasonryView::Features => Some(features(laying)),
             MasonryView::Sizes => Some(sizes(laying)),

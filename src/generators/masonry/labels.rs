@@ -17,9 +17,10 @@ impl MasonryEngine {
     /// The labels in the last frame while features are shown: those of faces, the largest first, then the own ones of
     /// edges and corners. Each is at its best place that is visible.
     pub(super) fn labels_in_frame(&self) -> Vec<SeenLabel> {
-        let shown = self.picture.shown().map(|(key, _)| key.view);
+        let shown = self.picture.shown().map(|(key, _)| (key.view, key.site));
+        let wanted = (MasonryView::Features, self.made.site.revision());
         let site = self.made.site.made();
-        let Some(site) = site.filter(|_| shown == Some(MasonryView::Features)) else {
+        let Some(site) = site.filter(|_| shown == Some(wanted)) else {
             return Vec::new();
         };
         let seen = |Labelled { labels, places }: Labelled| {

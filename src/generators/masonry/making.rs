@@ -112,7 +112,7 @@ impl MasonryStages {
     }
 
     fn made_block(&self, id: u32) -> Option<MadeBlock<'_>> {
-        let laying = self.cells.made().filter(|_| self.is_laid())?;
+        let laying = self.laying().filter(|_| self.is_laid())?;
         let number = id.checked_sub(1)?;
         let cell = laying.cells().get(number as usize)?;
         let (params, mark) = (self.laid.params(), cell.mark());

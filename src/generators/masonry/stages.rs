@@ -157,7 +157,7 @@ impl SceneStages for MasonryStages {
     }
 
     fn remarks(&self) -> Vec<Notice> {
-        let (Some(site), Some(laying)) = (self.site.made(), self.cells.made()) else {
+        let (Some(site), Some(laying)) = (self.site.made(), self.laying()) else {
             return Vec::new();
         };
         let gone = self.cells.params().flips.gone(&site.building);
@@ -252,9 +252,15 @@ impl MasonryStages {
         Some(KeptBlocks::new(last, cells, look))
     }
 
+    /// The cells of the present building. Those of an earlier one name faces that the present one may not have.
+    pub(super) fn laying(&self) -> Option<&Laying> {
+        self.current(&self.cells)
+    }
+
     /// The wall that is being laid, or the laid one.
     pub(super) fn wall(&self) -> Option<&Scene> {
-        let laid = self.laid.made().filter(|_| self.is_fresh(&self.laid));
+        let laid = self.current(&self.laid);
+        let laid = laid.filter(|_| self.is_fresh(&self.laid));
         self.begun(&self.laid).map(Wall::scene).or(laid)
     }
 
@@ -295,7 +301,7 @@ impl MasonryStages {
             (Some(at), _) if at < LAYING => 0,
             (_, Some(wall)) => wall.shown(),
             _ if !self.is_fresh(&self.laid) => 0,
-            _ => self.cells.made().map_or(0, |laying| laying.cells().len()),
+            _ => self.laying().map_or(0, |laying| laying.cells().len()),
         }
     }
 }

@@ -52,7 +52,7 @@ impl SceneSource for MasonryStages {
             revision,
         };
         self.site.made()?;
-        let cells = || self.cells.made().map(|_| self.cells.revision());
+        let cells = || self.laying().map(|_| self.cells.revision());
         Some(match MasonryView::of_words(view) {
             MasonryView::Auto => match self.begun(&self.laid) {
                 Some(_) => key(MasonryView::Auto, true, self.laid.slices()),
@@ -95,7 +95,7 @@ impl SceneSource for MasonryStages {
             MasonryView::Picture => self.shared.scene().cloned().map(WallSubject::Blocks),
             MasonryView::Auto => {
                 let (wall, ground) = (self.wall()?, self.ground.made()?);
-                let marks = || marks(self.cells.made().map_or(&[], Laying::cells));
+                let marks = || marks(self.laying().map_or(&[], Laying::cells));
                 let look = self.shared.bodies.params();
                 let new = || Box::new(WallScene::new(site, ground, look, (marks(), &self.kept)));
                 let mut scene = making.live.take().unwrap_or_else(new);
@@ -108,7 +108,7 @@ impl SceneSource for MasonryStages {
             }
             MasonryView::Polygons => Some(WallSubject::Diagram(diagrams::polygons(site).into())),
             view => {
-                let laying = self.cells.made()?;
+                let laying = self.laying()?;
                 let blocks = self.laid.params();
                 let new = || DiagramWork::new(site, blocks, laying.cells());
                 let work = making.diagram.get_or_insert_with(new);
@@ -130,7 +130,7 @@ impl SceneSource for MasonryStages {
             MasonryView::Occupancy => {
                 let face = self.face_of(id);
                 let face = face.filter(|_| at < diagrams::STATES.len())?;
-                Some(diagrams::map_scene(self.cells.made()?, face, at))
+                Some(diagrams::map_scene(self.laying()?, face, at))
             }
             _ => self.block_scene(id, at),
         }

@@ -49,6 +49,11 @@ impl PileStages {
         self.begun(&self.settled).or(last)
     }
 
+    /// Whether the present bodies have settled on the present shape.
+    pub(super) fn is_settled(&self) -> bool {
+        self.current(&self.settled).is_some() && self.is_fresh(&self.settled)
+    }
+
     /// How many bodies have this fate so far.
     pub(super) fn count(&self, fate: Fate) -> usize {
         let bodies = self.refining().map_or(&[][..], Refining::bodies);

@@ -54,16 +54,14 @@ impl SceneSource for PileStages {
             revision,
         };
         self.ground.made()?;
-        let settled = || self.settled.made().map(|_| self.settled.revision());
+        let settled = || self.current(&self.settled).map(|_| self.settled.revision());
         Some(match PileView::of_words(view) {
             PileView::Auto => match self.begun(&self.settled) {
                 Some(_) => key(PileView::Auto, true, self.settled.slices()),
                 None if self.has_scene_of(&self.settled) => {
                     key(PileView::Picture, false, self.shared.bodies.revision())
                 }
-                None if self.is_fresh(&self.settled) => {
-                    key(PileView::Auto, true, self.settled.slices())
-                }
+                None if self.is_settled() => key(PileView::Auto, true, self.settled.slices()),
                 None => key(PileView::Darts, true, self.placed.slices()),
             },
             PileView::Picture => match self.shared.bodies.made() {
@@ -106,7 +104,7 @@ impl SceneSource for PileStages {
         }
         let piled = diagrams::Piled {
             kinds: &self.placed.made()?.kinds,
-            bodies: self.settled.made()?.bodies(),
+            bodies: self.current(&self.settled)?.bodies(),
             offset: self.settled.params().offset,
             removal: self.settled.params().removal,
             components: self.components.made()?,

@@ -91,9 +91,16 @@ impl Stages {
         PackingProgress::shown(&self.packing)
     }
 
-    /// The packing in progress, or the last one; mutable, with the surface that it is on.
+    /// The packing in progress, or the last one; mutable, with the surface that it is on. `None` if there is another
+    /// surface by now.
     pub(super) fn packing_mut(&mut self) -> Option<(&mut SurfacePacking, &PackingMesh)> {
-        PackingProgress::shown_mut(&mut self.packing).zip(self.site.made())
+        let moving = self.packing.work().and_then(PackingProgress::moving);
+        let is_current = match moving {
+            Some(_) => self.begun(&self.packing).is_some(),
+            None => self.current(&self.packing).is_some(),
+        };
+        let shown = PackingProgress::shown_mut(&mut self.packing);
+        shown.filter(|_| is_current).zip(self.site.made())
     }
 
     /// The report of the last step.
@@ -103,14 +110,14 @@ impl Stages {
             .unwrap_or_default()
     }
 
-    /// The last mesh of cells.
+    /// The mesh of cells on the present surface.
     pub(super) fn mesh(&self) -> Option<&SurfaceMesh> {
-        self.mesh.made()
+        self.current(&self.mesh)
     }
 
-    /// The last cells.
+    /// The cells on the present surface.
     pub(super) fn paved(&self) -> Option<&PavedCells> {
-        self.paved.made()
+        self.current(&self.paved)
     }
 
     /// The last scene of stones, and its revision.
@@ -122,8 +129,8 @@ impl Stages {
     pub(super) fn standing(&self) -> Option<Standing<'_>> {
         Some(Standing {
             scene: &self.current(&self.shared.bodies)?.scene,
-            params: stones_params(self.shared.bodies.params(), &self.paved.made()?.cells),
-            paved: self.paved.made()?,
+            params: stones_params(self.shared.bodies.params(), &self.paved()?.cells),
+            paved: self.paved()?,
             fit: Fit::new(&self.last_built()?.whole),
             revision: self.shared.bodies.revision(),
         })
@@ -131,7 +138,7 @@ impl Stages {
 
     /// The number of stones made so far.
     pub(super) fn stones(&self) -> usize {
-        match (self.shared.bodies.work(), self.paved.made()) {
+        match (self.begun(&self.shared.bodies), self.paved()) {
             (Some(work), Some(paved)) => {
                 (work.progress(&paved.cells) * paved.cells.len() as f64) as usize
             }
