@@ -176,6 +176,31 @@ for (const [link, part] of [[SMALL, '#layers-button'], [BALL, '#light-button'], 
   });
 }
 
+test('the last of two languages chosen in a row counts, whichever words arrive first', sameEverywhere, async () => {
+  /** The requests that are held back. @type {import('puppeteer-core').HTTPRequest[]} */
+  const held = [];
+  const { page, problems, close } = await site.newPage(SMALL, {
+    before: async (fresh) => {
+      await fresh.setRequestInterception(true);
+      fresh.on('request', (request) => (/assets\/ja-surface-/.test(request.url()) ? held.push(request) : request.continue()));
+    },
+  });
+  await digest(page);
+  const save = () => page.$eval('#save', (button) => button.textContent.trim());
+  const before = await save();
+  const asked = page.waitForRequest((request) => /ja-surface-/.test(request.url()));
+  await page.select('#language', 'ja');
+  await asked;
+  await page.select('#language', 'en');
+  await page.waitForFunction(() => document.documentElement.lang === 'en');
+  await held[0]?.continue();
+  await page.evaluate((address) => import(address), held[0]?.url() ?? '');
+  await frames(page, 2);
+  assert.deepEqual([await page.$eval('html', ({ lang }) => lang), await page.$eval('#language', ({ value }) => value), await save()], ['en', 'en', before]);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test('links that are wrong are answered in Japanese', sameEverywhere, async () => {
   const { page, close } = await inJapanese(`${SMALL}&v=99&kind=blob&outline=donut&foo=1&spots=0.5,0.5,9,1&hs=&poly=x&seed=1&seed=2`);
   await digest(page);

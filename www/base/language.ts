@@ -48,13 +48,22 @@ export async function moreWords(): Promise<void> {
   for (const words of more) extend(words);
 }
 
-/** Changes the words on the page; nothing else changes. Rejects if they cannot be loaded. */
+/** How often another language was asked for. */
+let asked = 0;
+
+/**
+ * Changes the words on the page; nothing else changes. Only the language asked for last counts, as words may arrive in
+ * another order. Rejects if they cannot be loaded.
+ */
 export async function speak(code: string): Promise<void> {
+  const own = (asked += 1);
   const [{ retell }, japanese] = await Promise.all([import('./retell'), import('../strings/ja')]);
+  if (own !== asked) return;
   keep('language', code);
   translate(code, code === 'ja' ? japanese : undefined);
   // The page may show surfaces, or show them later.
   await moreWords();
+  if (own !== asked) return;
   const page: Record<'en' | 'ja', Dictionary> = { en: english, ja: japanese.page };
   retell(page, code === 'ja' ? 'ja' : 'en', partsOf);
   dispatchEvent(new Event(RETOLD));
