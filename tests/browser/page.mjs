@@ -180,8 +180,11 @@ export async function tool(page, name, finger = false) {
   const folded = await page.$eval(button, (element) => element.closest('.rare') !== null && !element.getClientRects().length);
   if (folded) await click(page, '#more-tools');
   await page.$eval(button, (element) => element.scrollIntoView({ block: 'nearest', inline: 'center', behavior: 'instant' }));
-  if (finger) await page.tap(button);
-  else await click(page, button);
+  if (!finger) await click(page, button);
+  else {
+    await inSight(page, button);
+    await page.tap(button);
+  }
   await page.waitForSelector('#editor:not([hidden]), dialog[open]');
 }
 
