@@ -45,7 +45,7 @@ const BIN: u32 = u32::from_le_bytes(*b"BIN\0");
 /// A material of bodies.
 #[cfg(house)]
 pub(super) struct FileMaterial {
-    pub name: Option<&'static str>,
+    pub name: Option<String>,
     /// The colour (sRGB).
     pub tint: [u8; 3],
     /// How opaque it is, 0..1.

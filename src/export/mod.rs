@@ -25,6 +25,8 @@ mod programs;
 mod report;
 #[cfg(house)]
 mod scene_file;
+#[cfg(house)]
+mod shades;
 mod slab;
 mod surface;
 mod svg;

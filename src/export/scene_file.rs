@@ -7,6 +7,7 @@ use super::maps::roughness;
 use super::obj::Obj;
 use super::order::{MeshFormat, MeshOrder};
 use super::part_file::PartFile;
+use super::shades::Shades;
 use super::surface::mean_roughness;
 use crate::material::Material;
 use crate::scene::{Instance, Paint, Place, Scene};
@@ -17,10 +18,10 @@ use std::collections::{BTreeMap, BTreeSet};
 const GLASS_ALPHA: f32 = 0.4;
 
 /// How a file tells of a scene.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct SceneTerms {
     /// The names of the rows of the table of materials. Materials of further rows have none.
-    pub materials: &'static [&'static str],
+    pub materials: Vec<String>,
     /// Maps the scene to the file, without a turn: its units, and where its origin is.
     pub place: Place,
 }
@@ -28,7 +29,7 @@ pub struct SceneTerms {
 /// A file of a scene that is being made.
 pub struct SceneFile {
     writer: SceneWriter,
-    terms: SceneTerms,
+    place: Place,
     /// The most triangles of a body.
     most: usize,
     next: usize,
@@ -44,7 +45,8 @@ struct SharedMeshes {
     glb: Glb,
     /// The rows of the table of materials.
     rows: Vec<Material>,
-    names: &'static [&'static str],
+    names: Vec<String>,
+    shades: Shades,
     /// The number of the surface of each body.
     surfaces: BTreeMap<u32, usize>,
     materials: BTreeMap<Paint, usize>,
@@ -63,7 +65,8 @@ impl SceneFile {
         let glb = || SharedMeshes {
             glb: Glb::of_scene(mean, order.joined, is_white(scene)).placed(terms.place),
             rows: materials.to_vec(),
-            names: terms.materials,
+            names: terms.materials.clone(),
+            shades: Shades::new(scene),
             surfaces: BTreeMap::new(),
             materials: BTreeMap::new(),
             meshes: BTreeMap::new(),
@@ -73,7 +76,7 @@ impl SceneFile {
                 MeshFormat::Obj => SceneWriter::Obj(Obj::new(&ExportSpace::Model(None))),
                 MeshFormat::Glb => SceneWriter::Glb(Box::new(glb())),
             },
-            terms,
+            place: terms.place,
             most: order.of_each(scene.instances.len()),
             next: 0,
         }
@@ -95,7 +98,7 @@ impl SceneFile {
             SceneWriter::Obj(obj) => {
                 let name = name(instance).replace(char::is_whitespace, "_");
                 let mut surface = placed(surface, instance);
-                let place = &self.terms.place;
+                let place = &self.place;
                 surface.positions.iter_mut().for_each(|p| *p = place.of(*p));
                 obj.add_named(&ExportSpace::Model(None), &surface, &name);
             }
@@ -133,7 +136,8 @@ impl PartFile for SceneFile {
 
 impl SharedMeshes {
     fn add(&mut self, surface: &Surface, instance: &Instance, name: &str) {
-        let material = self.material(instance.paint);
+        let paint = instance.paint.map(|paint| self.shades.of(paint));
+        let material = self.material(paint);
         let glb = &mut self.glb;
         if glb.is_joined() {
             let bare = Instance {
@@ -144,7 +148,7 @@ impl SharedMeshes {
             glb.join(&space, &placed(surface, &bare), material);
             return;
         }
-        let kind = (instance.body, instance.paint);
+        let kind = (instance.body, paint);
         let mesh = *self.meshes.entry(kind).or_insert_with(|| {
             let shared = self.surfaces.entry(instance.body);
             let shared =
@@ -159,19 +163,26 @@ impl SharedMeshes {
         let Some(paint) = paint else {
             return 0;
         };
+        if let Some(&known) = self.materials.get(&paint) {
+            return known;
+        }
         let row = usize::from(paint.material);
         let material = self.rows.get(row);
-        let new = || {
-            let is_glass = material == Some(&Material::GLASS);
-            self.glb.add_material(&FileMaterial {
-                name: self.names.get(row).copied(),
-                tint: paint.tint,
-                alpha: if is_glass { GLASS_ALPHA } else { 1.0 },
-                metal: material.map_or(0.0, |material| material.metal),
-                roughness: material.map_or(1.0, |one| roughness(f64::from(one.shininess))),
-            })
+        let is_of_row = |other: &&Paint| other.material == paint.material;
+        let named = |name: &String| match self.materials.keys().filter(is_of_row).count() {
+            0 => name.clone(),
+            earlier => format!("{name}_{}", earlier + 1),
         };
-        *self.materials.entry(paint).or_insert_with(new)
+        let is_glass = material == Some(&Material::GLASS);
+        let number = self.glb.add_material(&FileMaterial {
+            name: self.names.get(row).map(named),
+            tint: paint.tint,
+            alpha: if is_glass { GLASS_ALPHA } else { 1.0 },
+            metal: material.map_or(0.0, |material| material.metal),
+            roughness: material.map_or(1.0, |one| roughness(f64::from(one.shininess))),
+        });
+        self.materials.insert(paint, number);
+        number
     }
 }
 

@@ -57,7 +57,7 @@ impl Glb {
         let factors = [material.alpha, material.metal, material.roughness].map(shortest);
         let numbers = [[r, g, b], factors].concat();
         self.materials += ",{";
-        if let Some(name) = material.name {
+        if let Some(name) = &material.name {
             self.materials += &format!("\"name\":{},", text(name));
         }
         fill(&mut self.materials, PAINTED, &numbers);

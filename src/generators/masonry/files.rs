@@ -69,7 +69,7 @@ impl Meshes for MasonryEngine {
         let name = |number: usize| format!("{}_{number}", cells[number].feature.word());
         let part = |row: u8| MATERIAL_NAMES[usize::from(row)];
         let terms = SceneTerms {
-            materials: &MATERIAL_NAMES,
+            materials: MATERIAL_NAMES.map(str::to_owned).to_vec(),
             place: self.made.site.made().map_or(Place::default(), metres),
         };
         let of = (&self.made, scene);

@@ -1,10 +1,12 @@
 //! Mesh files of a finished pile.
 
 use super::PileEngine;
+use super::materials::names_of_rows;
 use crate::export::{MeshOrder, MeshSize, SceneTerms};
 use crate::generators::scene_picture::Saving;
 use crate::generators::{Clock, MeshSlice, Meshes};
 use crate::notice::Notice;
+use crate::scene::Place;
 
 impl Meshes for PileEngine {
     fn mesh_file(
@@ -24,7 +26,11 @@ impl Meshes for PileEngine {
         };
         let names = (|_| "shape", name);
         let of = (&self.made, scene);
-        let order = (order, SceneTerms::default());
+        let terms = SceneTerms {
+            materials: names_of_rows(words),
+            place: Place::default(),
+        };
+        let order = (order, terms);
         Saving::of_scene(&mut self.saving, of, order, (clock, budget), names)
     }
 

@@ -18,6 +18,15 @@ pub(super) fn row(kind: usize, is_part: bool, is_wet: bool) -> u8 {
     (TYPES + EACH * kind + 2 * usize::from(is_wet) + usize::from(is_part)) as u8
 }
 
+/// The names of the rows in files, for types with these words.
+pub(super) fn names_of_rows(words: &[&str]) -> Vec<String> {
+    let mut names = ["shape", "china", "wood"].map(str::to_owned).to_vec();
+    for word in words {
+        names.extend(["", "_part", "_wet", "_part_wet"].map(|end| format!("{word}{end}")));
+    }
+    names
+}
+
 /// The table for types with these finishes.
 pub(super) fn materials(finishes: &[&'static Finish], gloss: Gloss) -> Vec<Material> {
     let mut table = vec![

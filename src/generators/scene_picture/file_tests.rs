@@ -9,7 +9,8 @@ use crate::generators::MeshSlice;
 use crate::material::{Gloss, material_table};
 use crate::notice::Code;
 use crate::recipe::NamedFile;
-use crate::scene::{Instance, Scene};
+use crate::scene::{Instance, Paint, Scene};
+use std::collections::BTreeSet;
 
 fn file(format: MeshFormat, joined: bool, scene: &Scene) -> Vec<u8> {
     let order = MeshOrder {
@@ -22,7 +23,11 @@ fn file(format: MeshFormat, joined: bool, scene: &Scene) -> Vec<u8> {
     let mut saving = None;
     let mut bytes = Vec::new();
     loop {
-        let new = || SceneFile::new(&order, (&materials, SceneTerms::default()), scene);
+        let terms = || SceneTerms {
+            materials: ["sand", "clay", "chalk"].map(str::to_owned).to_vec(),
+            ..SceneTerms::default()
+        };
+        let new = || SceneFile::new(&order, (&materials, terms()), scene);
         let name = |instance: &Instance| format!("box \"{}\"", instance.id);
         let advance = |file: &mut SceneFile| file.advance(scene, name);
         let MeshSlice { parts, done, .. } =
@@ -71,6 +76,30 @@ fn bodies_share_meshes_in_a_file() {
         10
     );
     assert!(text.contains("\no box_\"1\"\nv -0.5 0 -0.2 ") || text.contains("o box_\"1\""));
+}
+
+#[test]
+fn many_tints_become_a_few_shades() {
+    let mut many = scene([Some(RED), Some(GREEN)]);
+    let body = many.instances[0];
+    many.instances = (0..600)
+        .map(|k| {
+            let tint = [100 + (k % 90) as u8, 60, 60 + (k % 7) as u8];
+            let material = (k % 2) as u8;
+            let paint = Some(Paint { tint, material });
+            Instance { paint, ..body }
+        })
+        .collect();
+    let json = json_of(&file(MeshFormat::Glb, false, &many));
+    let list = |key: &str| json[key].as_array().unwrap();
+    // The first material is that of bodies without a paint.
+    assert_eq!((list("materials").len(), list("meshes").len()), (49, 48));
+    assert_eq!(list("nodes").len(), 601);
+    let names: BTreeSet<_> = list("materials")
+        .iter()
+        .map(|one| one["name"].as_str())
+        .collect();
+    assert!(names.len() == 49 && names.contains(&Some("clay")) && names.contains(&Some("clay_24")));
 }
 
 /// A tetrahedron as text.
