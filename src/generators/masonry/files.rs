@@ -66,7 +66,10 @@ impl Meshes for MasonryEngine {
         let scene = self.modelled();
         let cells = self.made.cells.made().map_or(&[][..], Laying::cells);
         // A body's name has the type of its feature and the number of its block.
-        let name = |number: usize| format!("{}_{number}", cells[number].feature.word());
+        let name = |number: usize| {
+            let cell = cells.get(number)?;
+            Some(format!("{}_{number}", cell.feature.word()))
+        };
         let part = |row: u8| MATERIAL_NAMES[usize::from(row)];
         let terms = SceneTerms {
             materials: MATERIAL_NAMES.map(str::to_owned).to_vec(),

@@ -20,9 +20,9 @@ impl Meshes for PileEngine {
         let words = &self.made.words();
         // A body's name has the word of its type, its dart and its layer.
         let name = |dart: usize| {
-            let body = &pile[dart];
+            let body = pile.get(dart)?;
             let word = words[body.kind as usize];
-            format!("{word}_{dart}_layer_{}", body.layer)
+            Some(format!("{word}_{dart}_layer_{}", body.layer))
         };
         let names = (|_| "shape", name);
         let of = (&self.made, scene);

@@ -45,8 +45,8 @@ impl<F: PartFile> Saving<F> {
 }
 
 impl Saving<SceneFile> {
-    /// Works for about `budget` milliseconds on the file of a finished scene. `ground` names what has no number, as
-    /// ground and shapes, by the row of its material; `name` names the bodies by their numbers, from 0.
+    /// Works for about `budget` milliseconds on the file of a finished scene. `name` names the bodies by their numbers,
+    /// from 0; `ground` names all else, as ground, shapes and vessels, by the row of its material.
     ///
     /// # Errors
     /// If the picture is not finished.
@@ -55,16 +55,21 @@ impl Saving<SceneFile> {
         (stages, scene): (&impl SceneStages, Option<Rc<Scene>>),
         (order, terms): (&MeshOrder, SceneTerms),
         time: (Clock, f64),
-        (ground, name): (impl Fn(u8) -> &'static str, impl Fn(usize) -> String),
+        (ground, name): (
+            impl Fn(u8) -> &'static str,
+            impl Fn(usize) -> Option<String>,
+        ),
     ) -> Result<MeshSlice, Notice> {
         let scene = scene
             .filter(|_| stages.at().is_none())
             .ok_or(Code::NotYet)?;
         let shared = stages.shared();
         let materials = &shared.still.params().light.materials;
-        let name = |instance: &Instance| match (instance.id as usize).checked_sub(1) {
-            None => ground(instance.paint.map_or(0, |paint| paint.material)).to_owned(),
-            Some(number) => name(number),
+        let name = |instance: &Instance| {
+            let number = (instance.id as usize).checked_sub(1);
+            let row = instance.paint.map_or(0, |paint| paint.material);
+            let body = number.and_then(&name);
+            body.unwrap_or_else(|| ground(row).to_owned())
         };
         Ok(Self::slice(
             kept,
