@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { desk, open } from './harness.mjs';
-import { click, digest, done, drop, phone, PILE, SMALL, SQUARE } from './page.mjs';
+import { click, digest, done, drop, phone, PILE, SMALL, SQUARE, tool } from './page.mjs';
 import { turned } from './turned.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
@@ -75,6 +75,43 @@ for (const [letters, before] of Object.entries({ usual: undefined, large })) {
     if (letters === 'usual') assert.equal(found.rows, 1);
     assert.ok(found.stand.height > 0.39 * found.sheet.height, JSON.stringify(found));
     assert.ok(found.strip.top >= found.stand.bottom - 1 && found.strip.bottom <= found.sheet.bottom + 1, JSON.stringify(found));
+    assert.deepEqual(problems, []);
+    await close();
+  });
+}
+
+/** What is wider than the room of an element. @param {import('puppeteer-core').Page} page @param {string} selector */
+const tooWide = (page, selector) =>
+  page.$eval(selector, (whole) => {
+    const { left } = whole.getBoundingClientRect();
+    const ends = [left + whole.clientLeft - 0.5, left + whole.clientLeft + whole.clientWidth + 0.5];
+    return [...whole.querySelectorAll('*')]
+      .filter((part) => part.checkVisibility() && !part.closest('.said, svg > *'))
+      .filter((part) => part.getBoundingClientRect().left < ends[0] || part.getBoundingClientRect().right > ends[1])
+      .map((part) => part.id || part.className || part.tagName);
+  });
+
+for (const language of ['en', 'ja']) {
+  test(`large letters on the narrowest phone fit dialogs and the transport without scrolling sideways: ${language}`, async () => {
+    const { page, problems, close } = await site.newPage(SMALL, {
+      viewport: { ...phone, width: 320, height: 640 },
+      before: async (fresh) => {
+        await large(fresh);
+        await fresh.evaluateOnNewDocument((chosen) => localStorage.setItem('bubblestone.language', chosen), language);
+      },
+    });
+    await digest(page);
+    assert.deepEqual(await tooWide(page, '.transport'), []);
+    for (const [id, opens] of /** @type {const} */ ([['share-dialog', 'share'], ['save-dialog', 'save'], ['keys', '?'], ['text-dialog', 'text'], ['import-dialog', 'import']])) {
+      if (opens === '?') await page.keyboard.press('?');
+      else if (opens === 'text' || opens === 'import') await tool(page, opens);
+      else await click(page, `#${opens}`);
+      await page.waitForSelector(`#${id}[open]`);
+      assert.deepEqual(await tooWide(page, `#${id}`), [], id);
+      assert.equal(await page.$eval(`#${id}`, (dialog) => dialog.scrollWidth - dialog.clientWidth), 0, id);
+      await page.$eval(`#${id}`, (dialog) => /** @type {HTMLDialogElement} */ (dialog).close());
+      await page.waitForFunction(() => !document.querySelector('dialog[open]'));
+    }
     assert.deepEqual(problems, []);
     await close();
   });

@@ -21,6 +21,9 @@ const MOST = 256_000_000;
 /** Milliseconds to wait for the answers of other pages. */
 const PATIENCE = 400;
 
+/** Milliseconds to wait for the storage. Some browsers never answer; it then counts as refused until it answers. */
+const OPENING = 3000;
+
 /** The files that this page received. */
 const here = new Map<string, Kept>();
 let channel: BroadcastChannel | undefined;
@@ -120,6 +123,7 @@ function opened(): Promise<IDBDatabase> {
   };
   return new Promise((resolve, reject) => {
     const opening = indexedDB.open(NAME, 1);
+    setTimeout(() => reject(new Error()), OPENING);
     opening.onupgradeneeded = () => opening.result.createObjectStore(STORE, { keyPath: 'digest' });
     opening.onsuccess = () => {
       const { result } = opening;
@@ -129,6 +133,7 @@ function opened(): Promise<IDBDatabase> {
         result.close();
         forget();
       };
+      base = Promise.resolve(result);
       resolve(result);
     };
     opening.onerror = opening.onblocked = () => {
