@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { digest, drop, frames, get, message, phone, SMALL, steps } from './page.mjs';
 
@@ -77,6 +78,42 @@ test('the keyboard alone pauses, steps, moves a slider, writes numbers with a co
   await close();
 });
 
+/** Writes into the focused field as an input method does, which shows the text before it is taken. @param {import('puppeteer-core').Page} page @param {string} text */
+async function compose(page, text) {
+  const browser = await page.createCDPSession();
+  await browser.send('Input.imeSetComposition', { text, selectionStart: text.length, selectionEnd: text.length });
+  await browser.send('Input.insertText', { text });
+  await browser.detach();
+}
+
+// Only Chromium's protocol writes by an input method.
+test('wide digits of an input method are read, and wide signs that the browser drops refuse the number', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(SMALL);
+  await digest(page);
+  const box = '[data-key=cs] [type=number]';
+  for (const [typed, read] of [['１２．５', '12.5'], ['２１，５', '12.5'], ['２１。５', '12.5'], ['２２', '22']]) {
+    await page.$eval(box, (field) => (field.focus(), field.select()));
+    await compose(page, typed);
+    await page.keyboard.press('Enter');
+    assert.equal(await get(page, 'cs'), read, typed);
+    if (/[，。]/.test(typed)) await message(page, 'status', new RegExp(`"${typed}" was given, kept 12.5`));
+  }
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('keys that an input method takes are no shortcuts', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(SMALL);
+  await digest(page);
+  // The layers open by O. Safari tells of some of these keys only by their number.
+  const press = (/** @type {KeyboardEventInit} */ how) => page.evaluate((init) => document.body.dispatchEvent(new KeyboardEvent('keydown', { key: 'o', bubbles: true, cancelable: true, ...init })), how);
+  assert.deepEqual([await press({ isComposing: true }), await press({ keyCode: 229 })], [true, true]);
+  assert.equal(await press({}), false);
+  await page.waitForSelector('#layers-button[aria-expanded=true]');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test('single keys work anywhere but where they are text', async () => {
   const { page, close } = await site.newPage(SMALL);
   await digest(page);
@@ -100,6 +137,30 @@ test('single keys work anywhere but where they are text', async () => {
   await page.keyboard.press('Enter');
   await frames(page, 1);
   assert.match(await get(page, 'seed'), /52/);
+  await close();
+});
+
+// Firefox keeps such a text in the box, and tells pages that the box is empty.
+test('a number with two points or commas is refused as it was typed, and one that is mended is taken', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(SMALL);
+  await digest(page);
+  const size = await get(page, 'cs');
+  const box = '[data-key=cs] [type=number]';
+  const select = () => page.$eval(box, (field) => (field.focus(), field.select()));
+  for (const typed of ['1.234,5', '12.3.4']) {
+    await select();
+    await page.keyboard.type(typed);
+    await page.keyboard.press('Enter');
+    await message(page, 'status', new RegExp(`"${typed}" was given, kept ${size}`));
+    assert.deepEqual([await get(page, 'cs'), await page.$eval(box, (field) => field.value)], [size, size]);
+  }
+  await select();
+  await page.keyboard.type('23.4,');
+  await select();
+  await page.keyboard.type('21.5');
+  await page.keyboard.press('Enter');
+  assert.equal(await get(page, 'cs'), '21.5');
+  assert.deepEqual(problems, []);
   await close();
 });
 

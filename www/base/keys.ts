@@ -15,7 +15,7 @@ export function bindKeys(...more: Binding[]): void {
 /** Starts to listen to keys. The key `?` and a button show the list of keys. */
 export function listenToKeys(): void {
   document.addEventListener('keydown', (event) => {
-    if (event.defaultPrevented || event.altKey) return;
+    if (event.defaultPrevented || event.altKey || isComposed(event)) return;
     const combined = `${event.ctrlKey || event.metaKey ? 'ctrl+' : ''}${event.shiftKey && event.key.length > 1 ? 'shift+' : ''}${shifted(event)}`;
     const binding = bindings.find(({ keys, part }) => keys.includes(combined) && isOffered(part));
     if (!binding || (event.target instanceof Element && needs(event.target, event.key))) return;
@@ -26,6 +26,12 @@ export function listenToKeys(): void {
   const show = (): void => list.ask(({ showKeys }) => showKeys(bindings));
   bindKeys({ keys: ['?'], word: 'keys', act: show });
   byId('keys-button').addEventListener('click', show);
+}
+
+/** Whether an input method takes this key. Safari tells so of the last key only by its number, 229. */
+// eslint-disable-next-line @typescript-eslint/no-deprecated
+function isComposed({ isComposing, keyCode }: KeyboardEvent): boolean {
+  return isComposing || keyCode === 229;
 }
 
 /** The name of a key press. Letters have `shift+` only together with Ctrl, as signs such as `?` need Shift anyway. */

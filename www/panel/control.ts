@@ -1,6 +1,7 @@
 /** One control of the panel: a label, the ways to change it, a reset, and its help. */
 import type { Parameter } from '../module/types';
 import { t } from '../words/words';
+import { typedIn } from '../base/decimals';
 import { make, say, symbol } from '../base/dom';
 import { onSlide } from '../base/slide';
 import { differs } from '../state/rules';
@@ -125,7 +126,7 @@ function numberAndSlider(parameter: Parameter, id: string, change: Change): Cont
 
   let held = '';
   box.addEventListener('change', () => {
-    change(key, box.value, true);
+    change(key, typedIn(box), true);
     // If the text was refused or clamped, shows the value that is in use.
     box.value = held;
   });

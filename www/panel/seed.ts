@@ -1,4 +1,5 @@
 /** The seed: type it, randomise it, step to the next or previous one, or lock it. */
+import { typedIn } from '../base/decimals';
 import { byId, byIdAs } from '../base/dom';
 import type { Engine } from '../state/engine';
 import { isLocked, onLocks, toggleLock } from '../state/locks';
@@ -27,7 +28,7 @@ export class Seed {
     this.engine = engine;
     this.now = engine.get(SEED);
     this.box.addEventListener('change', () => {
-      const text = this.box.value;
+      const text = typedIn(this.box);
       // The text in a focused box is replaced by the engine's value only if the box is empty.
       this.box.value = '';
       this.take(text);
