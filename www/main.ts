@@ -23,7 +23,8 @@ async function start(): Promise<void> {
     if (!embedded) hearMakes();
     const link = embedded ? fragment : firstLink;
     if (!embedded) early(link());
-    const [embed] = await Promise.all([embedded ? import('./shell/embed').catch(() => undefined) : undefined, load(link()), takeLanguage(placeOf(link()) > 0)]);
+    const spoken = takeLanguage(placeOf(link()) > 0);
+    const [embed] = await Promise.all([embedded ? import('./shell/embed').catch(() => undefined) : undefined, load(link(), 'lost_wasm', spoken), spoken]);
     // The address may have changed while the module was loading.
     while (!isHere(link())) await load(link());
     if (embed) window.bubblestone = new embed.Embed().scripts.face;

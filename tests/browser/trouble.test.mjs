@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
 import { dist, open } from './harness.mjs';
-import { click, digest, drop, frames, get, inSight, message, reloading, SMALL } from './page.mjs';
+import { click, digest, drop, frames, get, inSight, link, message, messages, reloading, SMALL, SQUARE } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -65,6 +65,29 @@ test('a browser without WebAssembly gets a sentence', async () => {
   assert.equal(await page.evaluate(() => document.documentElement.dataset.stage), 'error');
   await close();
 });
+
+for (const [language, words] of /** @type {const} */ ([['en', /^There is too little free memory .* close other tabs and load the page again/], ['ja', /^空きメモリーが足りず、.*ほかのタブを閉じて/]])) {
+  test(`too little memory for the module is told as such: ${language}`, sameEverywhere, async () => {
+    for (const error of ['RangeError', 'CompileError']) {
+      const { page, close } = await site.newPage(SMALL, {
+        before: (fresh) =>
+          fresh.evaluateOnNewDocument(
+            (name, chosen) => {
+              localStorage.setItem('bubblestone.language', chosen);
+              const what = 'WebAssembly.instantiate(): Out of memory: Cannot allocate Wasm memory for new instance';
+              WebAssembly.instantiateStreaming = () => Promise.reject(name === 'RangeError' ? new RangeError(what) : new WebAssembly.CompileError(what));
+            },
+            error,
+            language,
+          ),
+      });
+      await message(page, 'alert', /\S/);
+      assert.match((await messages(page)).join(), words);
+      assert.equal(await page.evaluate(() => document.documentElement.dataset.stage), 'error');
+      await close();
+    }
+  });
+}
 
 test('a page that cannot be stored works, and says nothing of it', async () => {
   /** @type {string[]} */

@@ -15,14 +15,27 @@ export function isHere(link: string): boolean {
   return moduleFor(link) !== undefined;
 }
 
-/** Loads the module that a link needs. Throws an Error whose message is a sentence for the visitor. */
-export async function load(link: string, lost: PageWord = 'lost_wasm'): Promise<void> {
-  if (typeof WebAssembly !== 'object') throw new Error(t('no_wasm'));
+/**
+ * Loads the module that a link needs. Throws an Error whose message is a sentence for the visitor, in the language of the
+ * page, which has come when `spoken` ends.
+ */
+export async function load(link: string, lost: PageWord = 'lost_wasm', spoken?: Promise<void>): Promise<void> {
+  const failure = async (word: PageWord, cause?: unknown): Promise<Error> => {
+    await spoken;
+    return new Error(t(word), { cause });
+  };
+  if (typeof WebAssembly !== 'object') throw await failure('no_wasm');
   try {
     await Promise.all([loadModule(link), placeOf(link) > 0 ? moreWords() : undefined]);
   } catch (error) {
-    throw new Error(t(error instanceof WebAssembly.CompileError ? 'old_wasm' : lost), { cause: error });
+    throw await failure(reasonWord(error) ?? lost, error);
   }
+}
+
+/** The cause that an error of a load tells, unless it is the connection. Browsers tell a lack of memory in several ways. */
+function reasonWord(error: unknown): PageWord | undefined {
+  if (error instanceof RangeError || /out of memory/i.test(reasonOf(error))) return 'no_memory';
+  return error instanceof WebAssembly.CompileError ? 'old_wasm' : undefined;
 }
 
 export class Arrivals {
