@@ -226,6 +226,32 @@ test('a browser without workers and storing keeps the picture, and opens a model
   await close();
 });
 
+test('a storage that never answers is soon as good as none', sameEverywhere, async () => {
+  const before = (/** @type {import('puppeteer-core').Page} */ fresh) =>
+    fresh.evaluateOnNewDocument(() => {
+      // As in some versions of Safari: the request neither succeeds nor fails.
+      IDBFactory.prototype.open = () => /** @type {any} */ (new EventTarget());
+    });
+  const { page, problems, close } = await site.newPage(SMALL, { before });
+  await digest(page);
+  await drop(page, 'wedge.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n', '');
+  await message(page, 'status', /wedge\.obj could not be kept/);
+  assert.equal(await get(page, 'form'), 'file');
+  await digest(page);
+  for (const button of ['share', 'save']) {
+    await click(page, `#${button}`);
+    await page.waitForSelector(`#${button}-dialog[open]`);
+    await page.keyboard.press('Escape');
+    await page.waitForFunction(() => !document.querySelector('dialog[open]'));
+  }
+  // A page that has not received the file asks for it.
+  const other = await site.newPage(`#${await link(page)}`, { before });
+  await other.page.waitForSelector('.asked');
+  assert.deepEqual([problems, other.problems], [[], []]);
+  await other.close();
+  await close();
+});
+
 // Only Chromium's protocol drops files from the disk.
 test('a dropped folder cannot be read, which a sentence tells', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SMALL);
