@@ -265,6 +265,44 @@ test('a dropped folder cannot be read, which a sentence tells', sameEverywhere, 
   await close();
 });
 
+/** Drags data over an element and drops it there, as the browser does. Returns which of these events the page takes. @param {import('puppeteer-core').Page} page @param {string} selector @param {Record<string, string>} data */
+const dragged = (page, selector, data) =>
+  page.$eval(
+    selector,
+    (place, content) => {
+      const dataTransfer = new DataTransfer();
+      for (const [type, text] of Object.entries(content)) dataTransfer.setData(type, text);
+      return ['dragover', 'drop'].filter((type) => !place.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true })));
+    },
+    data,
+  );
+
+test('a link or a picture of another page that is dropped never replaces the page, and text goes where it can', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(SQUARE);
+  await digest(page);
+  const both = ['dragover', 'drop'];
+  const picture = { 'text/uri-list': 'https://example.org/a.png', 'text/html': '<img src="https://example.org/a.png">' };
+  for (const place of ['#sheet', '#head', '#seed', '[data-key=cs] [type=range]']) assert.deepEqual(await dragged(page, place, picture), both, place);
+  await message(page, 'alert', /Links and pictures of other pages cannot be opened here/);
+  assert.equal(await page.$$eval('.message', (notes) => notes.length), 1);
+  // The browser writes text into fields.
+  assert.deepEqual(await dragged(page, '#seed', { 'text/plain': '12' }), []);
+  const before = await link(page);
+  assert.deepEqual(await dragged(page, '#sheet', { 'text/plain': 'some words' }), both);
+  assert.equal(await link(page), before);
+  assert.deepEqual(await dragged(page, '#sheet', { 'text/plain': 'M10 10H110V60H10Z' }), both);
+  await page.waitForFunction((was) => window.bubblestone.link() !== was, {}, before);
+  // Thumbnails of the page itself are no gifts.
+  await page.$eval('.rail img', (image) => image.dispatchEvent(new DragEvent('dragstart', { bubbles: true })));
+  const made = await link(page);
+  assert.deepEqual(await dragged(page, '#sheet', { 'text/plain': 'M10 10H110V110H10Z' }), both);
+  await page.$eval('.rail img', (image) => image.dispatchEvent(new DragEvent('dragend', { bubbles: true })));
+  await frames(page, 5);
+  assert.equal(await link(page), made);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test('figures of a chapter work though its module did not arrive at the first one', sameEverywhere, async () => {
   const { page, lost, close } = await losing('learn/two-bubbles/', /\.wasm$/);
   await lost.first;

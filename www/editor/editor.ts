@@ -200,6 +200,11 @@ export class Editor {
     if (OUTLINE.test(text)) void this.takeText(text, t('pasted'));
   }
 
+  /** Tells that a link, or a picture of another page, was dropped. */
+  refuseLink(): void {
+    this.refuse(t('dropped_link'));
+  }
+
   /** Takes an outline from a text. */
   async takeText(text: string, name: string): Promise<boolean> {
     if (this.tiled()) return false;

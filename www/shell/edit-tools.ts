@@ -10,6 +10,9 @@ import type { Work } from '../state/work';
 import type { Panel } from '../panel/panel';
 import type { PageParts } from './parts';
 
+/** The type of links, and of pictures of other pages, that are dragged. */
+const LINK = 'text/uri-list';
+
 export class EditTools {
   private readonly engine: Engine;
   private readonly work: Work;
@@ -68,16 +71,22 @@ export class EditTools {
   }
 
   /**
-   * Outlines can be pasted; files can be dropped anywhere. The whole page takes them, because a browser
-   * would open a file that is dropped beside the picture.
+   * Outlines can be pasted; files and outlines can be dropped anywhere. The whole page takes them, because a browser
+   * would open a file or a link that is dropped beside the picture, and leave the page.
    */
   private receive(): void {
     const sheet = byId('sheet');
     const page = document.documentElement;
+    let isOwn = false;
+    page.addEventListener('dragstart', () => (isOwn = true));
+    page.addEventListener('dragend', () => (isOwn = false));
     const over = (event: DragEvent): void => {
-      if (!event.dataTransfer?.types.includes('Files')) return;
+      const { dataTransfer } = event;
+      if (!dataTransfer || isForField(event, dataTransfer)) return;
       event.preventDefault();
-      sheet.classList.add('dropping');
+      // The page's own pictures and links are no gifts.
+      if (isOwn) dataTransfer.dropEffect = 'none';
+      else sheet.classList.toggle('dropping', dataTransfer.types.includes('Files'));
     };
     page.addEventListener('dragenter', over);
     page.addEventListener('dragover', over);
@@ -85,13 +94,18 @@ export class EditTools {
       if (!(relatedTarget instanceof Node)) sheet.classList.remove('dropping');
     });
     page.addEventListener('drop', (event) => {
-      const files = [...(event.dataTransfer?.files ?? [])];
-      // Text that is dropped into a field stays there.
-      if (files.length) event.preventDefault();
+      const { dataTransfer } = event;
       sheet.classList.remove('dropping');
+      if (!dataTransfer || isForField(event, dataTransfer)) return;
+      event.preventDefault();
+      if (isOwn) return;
+      const files = [...dataTransfer.files];
       // Takes the first file that may be an outline, a recipe, a building or a model.
       const file = files.find(({ name }) => /\.(svg|json|png)$/i.test(name) || isModel(name)) ?? files[0];
+      const text = dataTransfer.getData('text/plain');
       if (file) this.take(file);
+      else if (dataTransfer.types.includes(LINK)) this.editor.ask((it) => it.refuseLink());
+      else this.editor.ask((it) => it.paste(text));
     });
     document.addEventListener('paste', ({ target, clipboardData }) => {
       if (target instanceof Element && target.matches('input, textarea')) return;
@@ -117,4 +131,10 @@ export class EditTools {
     const shown = this.tools.filter((tool) => !tool.hidden);
     if (!shown.some((tool) => tool.tabIndex === 0)) shown.slice(0, 1).forEach((tool) => (tool.tabIndex = 0));
   }
+}
+
+/** Whether text that is dragged is for the field under the pointer. Fields take no files, and those for numbers no links. */
+function isForField({ target }: DragEvent, { types }: DataTransfer): boolean {
+  const numbers = types.includes(LINK) ? '' : ', input[type=number]';
+  return !types.includes('Files') && target instanceof Element && target.matches(`input[type=text], textarea${numbers}`);
 }
