@@ -93,14 +93,10 @@ const tooWide = (page, selector) =>
 
 for (const language of ['en', 'ja']) {
   test(`large letters on the narrowest phone fit dialogs and the transport without scrolling sideways: ${language}`, async () => {
-    const { page, problems, close } = await site.newPage(SMALL, {
-      viewport: { ...phone, width: 320, height: 640 },
-      before: async (fresh) => {
-        await large(fresh);
-        await fresh.evaluateOnNewDocument((chosen) => localStorage.setItem('bubblestone.language', chosen), language);
-      },
-    });
+    const { page, problems, close } = await site.newPage(SMALL, { viewport: { ...phone, width: 320, height: 640 }, before: large });
     await digest(page);
+    await page.select('#language', language);
+    await page.waitForFunction((chosen) => document.documentElement.lang === chosen, {}, language);
     assert.deepEqual(await tooWide(page, '.transport'), []);
     for (const [id, opens] of /** @type {const} */ ([['share-dialog', 'share'], ['save-dialog', 'save'], ['keys', '?'], ['text-dialog', 'text'], ['import-dialog', 'import']])) {
       if (opens === '?') await page.keyboard.press('?');
