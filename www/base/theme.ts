@@ -25,6 +25,12 @@ export function followTheme(): void {
     show();
   });
   system.addEventListener('change', show);
+  // The browser kept this page while another theme may have been chosen on the next one.
+  addEventListener('pageshow', ({ persisted }) => {
+    if (!persisted) return;
+    chosen = kept(CHOICE) ?? chosen;
+    show();
+  });
   show();
 }
 
