@@ -132,8 +132,8 @@ export const howMany = {
       figure: 'count',
       heading: { en: 'Not so: “the number is area over size squared”', ja: '「個数は面積÷大きさの2乗」ではありません' },
       text: {
-        en: 'Far from all walls it would nearly do: a square takes $d²$, a round cell in a honeycomb 0.87 of it. But cells come whole. An arm of the outline that is a little too narrow for two rows holds one, and the rest of its area holds nothing. With smaller cells it suddenly holds two. Area knows nothing of that.',
-        ja: '壁から遠ければ、だいたい合います。正方形一つの面積は$d²$、蜂の巣状に並んだ円ではその0.87倍です。けれども、セルは丸ごとしか置けません。二列には少し狭い腕には一列しか入らず、残りの面積は使えません。セルを小さくすると、急に二列入ります。面積だけでは、それは分かりません。',
+        en: 'Far from all walls it would nearly do: a square of size $d$ takes $d²$, a round cell in a honeycomb 0.87 of it. But cells come whole. An arm of the outline that is a little too narrow for two rows holds one, and the rest of its area holds nothing. With smaller cells it suddenly holds two. Area knows nothing of that.',
+        ja: '壁から遠ければ、だいたい合います。大きさ$d$の正方形一つの面積は$d²$、蜂の巣状に並んだ円ではその0.87倍です。けれども、セルは丸ごとしか置けません。二列には少し狭い腕には一列しか入らず、残りの面積は使えません。セルを小さくすると、急に二列入ります。面積だけでは、それは分かりません。',
       },
       ask: { en: 'A U and a square have the same area. With cells of 34 pixels the U holds 13 and the square 19. With cells of 28 pixels the U holds …', ja: 'U字形と正方形の面積は同じです。セルの大きさが34ピクセルなら、U字形に13個、正方形に19個入ります。28ピクセルにすると、U字形に入るのは正方形と比べて…' },
       answers: [

@@ -97,8 +97,8 @@ export const manyBubbles = {
       heading: { en: 'Why', ja: 'なぜ' },
       parts: [
         {
-          en: 'Nothing is new in the force. Bubble $i$ takes that of chapter 1 from each neighbour $j$, along the arrow $nij$ of length 1 that points away from it, and adds:',
-          ja: '力そのものは第1章と同じです。バブル$i$は、隣のバブル$j$のそれぞれから力を受け、それを足し合わせます。$nij$は$j$から$i$へ向かう、長さ1の矢印です。',
+          en: 'The force is that of chapter 1. Bubble $i$ takes it from each neighbour $j$ along the arrow $nij$, which has length 1 and points from $j$ to $i$, and adds all of these:',
+          ja: '力そのものは第1章と同じです。バブル$i$は隣のバブル$j$から、$j$から$i$へ向かう長さ1の矢印$nij$に沿って力を受け、それをすべて足し合わせます。',
         },
         {
           equation: 'a',
@@ -125,7 +125,7 @@ export const manyBubbles = {
           ja: '静止すれば左辺はすべて0、力の和もすべて0です。一つ一つの力が0とは限りません。斥力と引力は残り、各バブルのところで打ち消し合っています。',
         },
         {
-          en: 'That rest must come is seen from one number. Add the energy of all pairs, of walls and of motion to $E$. By (5) it changes only through the damping:',
+          en: 'One number shows that rest must come. Add the energy of all pairs, of walls and of motion to $E$. By (5) it changes only through the damping:',
           ja: 'なぜ必ず静止するのかは、一つの数で分かります。対、壁、運動のエネルギーをすべて足して$E$とします。(5)から、それを変えるのは減衰だけです。',
         },
         {

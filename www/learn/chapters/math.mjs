@@ -55,6 +55,7 @@ const symbols = {
   A: '<mi data-symbol="area">A</mi>',
   d: '<mi>d</mi>',
   'd²': '<msup><mi>d</mi><mn>2</mn></msup>',
+  di: low('distance', 'd', i),
   'di²': '<msubsup data-symbol="distance"><mi>d</mi><mi>i</mi><mn>2</mn></msubsup>',
   a: '<mi data-symbol="crowd">a</mi>',
   b: '<mi data-symbol="room">b</mi>',
@@ -73,11 +74,11 @@ const symbols = {
 /** How the words of a row are spoken; numbers and letters are spoken as they are. */
 const spoken = {
   en: {
-    v4: 'v four', si: 's i', F: 'f', psi: 'psi', psi0: 'psi P zero', psi1: 'psi P one', l0: 'l zero', k0: 'k zero', r0: 'r zero', wij: 'w i j', nij: 'n i j', Fi: 'f i', cw: 'root 2 minus 1', cr: 'root 2 minus 1', root2: 'root 2', 'd²': 'd squared', 'l0²': 'l zero squared',
+    v4: 'v four', si: 's i', di: 'd i', F: 'f', psi: 'psi', psi0: 'psi P zero', psi1: 'psi P one', l0: 'l zero', k0: 'k zero', r0: 'r zero', wij: 'w i j', nij: 'n i j', Fi: 'f i', cw: 'root 2 minus 1', cr: 'root 2 minus 1', root2: 'root 2', 'd²': 'd squared', 'l0²': 'l zero squared',
     '=': 'equals', '/': 'over', '<': 'is less than', '>': 'is greater than', '≈': 'is about', '≤': 'is at most', '+': 'plus', '−': 'minus', '′': 'prime',
   },
   ja: {
-    alpha: 'アルファ', beta: 'ベータ', gamma: 'ガンマ', sin: 'サイン', v: 'ブイ', v4: 'ブイ・フォー', si: 'エス・アイ', q: 'キュー', k: 'ケー', s: 'エス', R: 'アール', r: 'アール',
+    alpha: 'アルファ', beta: 'ベータ', gamma: 'ガンマ', sin: 'サイン', v: 'ブイ', v4: 'ブイ・フォー', si: 'エス・アイ', di: 'ディー・アイ', q: 'キュー', k: 'ケー', s: 'エス', R: 'アール', r: 'アール',
     psi: 'プサイ', psi0: 'プサイ・ピー・ゼロ', psi1: 'プサイ・ピー・いち', l0: 'エル・ゼロ', k0: 'ケー・ゼロ', r0: 'アール・ゼロ', wij: 'ダブリュー・アイ・ジェー', nij: 'エヌ・アイ・ジェー', Fi: 'エフ・アイ', cw: 'ルート2引く1', cr: 'ルート2引く1', root2: 'ルート2', 'd²': 'ディーの2乗', 'l0²': 'エル・ゼロの2乗',
     '=': 'イコール', '/': '割る', '<': '小なり', '>': '大なり', '≈': 'およそ', '≤': '小なりイコール', '+': '足す', '−': '引く', '′': 'プライム',
   },

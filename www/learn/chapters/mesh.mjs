@@ -102,7 +102,7 @@ export const mesh = {
       heading: { en: 'Why', ja: 'なぜ' },
       parts: [
         {
-          en: 'Delaunay’s rule allows no point inside the circle of a triangle. For an edge between two triangles it reads: the angles that face it make at most half a turn.',
+          en: 'Delaunay’s rule allows no point inside the circle of a triangle. For an edge between two triangles it reads: the two angles that face it add up to at most 180°.',
           ja: 'ドロネーの規則では、三角形の外接円の中に点があってはいけません。二つの三角形に共通の辺でいえば、辺に向かい合う二つの角の和が180°以下ということです。',
         },
         {
@@ -120,8 +120,8 @@ export const mesh = {
           speech: { en: 'The sine of gamma equals s over 2 R.', ja: 'サイン・ガンマは、2アール分のエス。' },
         },
         {
-          en: 'Read it with bubbles. $s$ says how near two of them are: the push keeps it large. The circle is empty, so $R$ is the size of a hole: where there is room, a bubble comes. If no such circle has a radius larger than the shortest side, no angle is below 30°. In a honeycomb the radius is 0.58 of the side, and every angle 60°. Random points have close pairs and wide holes, and so thin triangles.',
-          ja: 'この式を、バブルに当てはめてみます。$s$は二つのバブルの間隔で、縮みすぎるのを斥力が防ぎます。円の中は空なので、$R$は穴の大きさです。空きがあれば、バブルが増えます。どの円の半径も最も短い辺を超えなければ、30°より小さい角はできません。蜂の巣の並びでは半径は辺の0.58倍で、角はすべて60°です。ランダムな点には、近すぎる対も大きな穴もあるので、細い三角形ができます。',
+          en: 'Read it with bubbles. $s$ says how near two of them are: the push keeps it large. The circle is empty, so $R$ is the size of a hole: where there is room, a bubble comes. If no circle has a radius larger than the shortest side of its triangle, no angle is below 30°. In a honeycomb the radius is 0.58 of the side, and every angle 60°. Random points have close pairs and wide holes, and so thin triangles.',
+          ja: 'この式を、バブルに当てはめてみます。$s$は二つのバブルの間隔で、縮みすぎるのを斥力が防ぎます。円の中は空なので、$R$は穴の大きさです。空きがあれば、バブルが増えます。どの三角形でも円の半径が最も短い辺を超えなければ、30°より小さい角はできません。蜂の巣の並びでは半径は辺の0.58倍で、角はすべて60°です。ランダムな点には、近すぎる対も大きな穴もあるので、細い三角形ができます。',
         },
         {
           en: 'Then comes the dual. A bubble with six edges gets a cell with six sides. In a large mesh of triangles the mean is about six, even for random points; good points have six nearly everywhere.',

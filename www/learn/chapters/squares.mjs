@@ -128,7 +128,7 @@ export const squares = {
       heading: { en: 'Not so: “corners bump into each other”', ja: '「角と角がぶつかる」のではありません' },
       text: {
         en: 'A corner bubble never meets another. It acts on the centre of the neighbour, which is a point. Nor is √2 − 1 a threshold. That number stands in two places and does two things: as the radius it puts the wells where edges touch; as the weight it only makes them deep. Change one at a time, and put the wells in the wrong place.',
-        ja: '隅のバブルどうしは、力を及ぼしません。作用する相手は隣の中心、つまり一点です。√2 − 1も境目ではありません。この数は二か所に現れ、別々の役目をもちます。半径としては、辺が触れ合うところに井戸を置き、重みとしては、井戸を深くするだけです。一つずつ変えて、井戸を間違った場所に動かしてみてください。',
+        ja: '隅のバブルどうしは、力を及ぼしません。作用する相手は隣の中心、つまり一点です。√2 − 1も境目ではありません。この数は二か所に現れ、役目が違います。半径は、辺が触れ合うところに井戸を置きます。重みは、井戸を深くするだけです。一つずつ変えて、井戸を別の場所に動かしてみてください。',
       },
       ask: { en: 'The weight goes from 0.41 up to 1. Where does the neighbour rest then, at an edge?', ja: '重みを0.41から1に上げます。隣は辺の先のどこで静止するでしょう。' },
       answers: [

@@ -192,8 +192,8 @@ export const twoBubbles = {
           ja: '論文では(3)のかっこの前が$k0 / l0$です。仕事は力に長さをかけたものなので、ここでは$k0$としました。',
         },
         {
-          en: 'The papers solve (5) by Runge–Kutta. Ours uses semi-implicit Euler: a quarter of the work, and bubbles come to rest as well.',
-          ja: '論文は(5)をルンゲ・クッタ法で解きます。本プログラムは半陰的オイラー法を使い、四分の一の計算で、同じように静止します。',
+          en: 'The papers solve (5) by Runge–Kutta. Ours uses semi-implicit Euler, which moves a bubble with its new velocity: a quarter of the work, and bubbles come to rest as well.',
+          ja: '論文は(5)をルンゲ・クッタ法で解きます。本プログラムは、更新した速度で位置を進める半陰的オイラー法を使います。計算は四分の一で、同じように静止します。',
         },
       ],
     },

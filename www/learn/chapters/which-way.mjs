@@ -118,7 +118,7 @@ export const whichWay = {
       kind: 'why',
       heading: { en: 'Why', ja: 'なぜ' },
       parts: [
-        { en: 'This is the printed sum:', ja: '論文の式はこうです。' },
+        { en: 'This is the printed sum, with $n$ sides $si$ at the distances $di$:', ja: '論文の式はこうです。$n$は辺の数、$si$は各辺の矢印、$di$はそこまでの距離です。' },
         { equation: '1', ...arrowSum },
         {
           en: 'The two sides of a road are opposite arrows. In the middle both are equally near and cancel. Only the ends leave a little, and that points across. Nor does the shape alone decide: $si$ counts as a whole, at the distance of its nearest place. Cut it, and the far pieces count less. Both faults go if the angle is multiplied by four, and each bit of a side has its own distance $r$:',
