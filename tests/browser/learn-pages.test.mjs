@@ -8,9 +8,9 @@ import { chapters } from '../../www/learn/chapters/contents.mjs';
 import { kind, sameEverywhere } from './browsers.mjs';
 import { desk, dist, open } from './harness.mjs';
 import { at, follow, seek } from './lesson.mjs';
-import { digest, frames, phone, SMALL } from './page.mjs';
+import { digest, frames, phone, resize, SMALL } from './page.mjs';
 import { longestTask } from './tasks.mjs';
-import { badWords, movedInClass, unfitInClass, walkByTab, watchMemory, watchShifts } from './walks.mjs';
+import { badInClass, badWords, walkByTab, watchMemory, watchShifts } from './walks.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -299,8 +299,27 @@ test('the studio leads to the chapters in its language', sameEverywhere, async (
   await close();
 });
 
+test('a page that the browser kept takes the theme that was chosen on the next one', sameEverywhere, async () => {
+  const { page, close } = await site.newPage('learn/');
+  await begun(page);
+  const themes = await page.evaluate(() => {
+    // Another page of the same tab stores its choice, and the way back shows this one as it was left.
+    localStorage.setItem('bubblestone.theme', 'dark');
+    return [false, true].map((persisted) => {
+      dispatchEvent(new PageTransitionEvent('pageshow', { persisted }));
+      return `${document.documentElement.dataset.theme} ${document.querySelector('#theme').ariaPressed}`;
+    });
+  });
+  assert.deepEqual(themes, ['light false', 'dark true']);
+  // The next press begins at the theme that is shown.
+  await page.$eval('#theme', (button) => button.click());
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), 'light');
+  await close();
+});
+
 /** The windows of a class. */
 const projector = { width: 1024, height: 768 };
+const tiny = { width: 640, height: 480 };
 const small = { width: 800, height: 600 };
 const wide = { width: 1920, height: 1080 };
 
@@ -431,15 +450,19 @@ test('each sheet has two pages, on A4 and on Letter, and no picture tells the an
 });
 
 test('in class every slide fits the screen with a large picture; an answer, and the sentence on what happened, move nothing', sameEverywhere, async () => {
-  // Four plates, and the longest questions.
-  const onSmall = ['learn/many-bubbles/', 'learn/ja/which-way/'].map((path) => ({ path, viewport: small }));
-  const screens = [...[...CHAPTER_PATHS].map((path) => ({ path, viewport: projector })), ...BY_TURNS.map(({ path }) => ({ path, viewport: wide })), ...onSmall];
-  for (const { path, viewport } of screens) {
-    const { page, close } = await site.newPage(path, { viewport });
-    await begun(page);
-    assert.deepEqual(await unfitInClass(page), [], `${path} at ${viewport.width}`);
-    assert.deepEqual(await movedInClass(page), [], `${path} at ${viewport.width}`);
-    await close();
+  // Each chapter in each window, by turns in both languages: windows up to 1024 pixels have the same layout in other letters.
+  for (const { name, path: byTurns } of BY_TURNS) {
+    await Promise.all(
+      [`learn/${name}/`, `learn/ja/${name}/`].map(async (path) => {
+        const { page, close } = await site.newPage(path, { viewport: projector });
+        await begun(page);
+        for (const viewport of path === byTurns ? [projector, tiny] : [small, wide]) {
+          await resize(page, viewport);
+          assert.deepEqual(await badInClass(page), [], `${path} at ${viewport.width}`);
+        }
+        await close();
+      }),
+    );
   }
 });
 

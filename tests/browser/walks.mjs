@@ -45,108 +45,106 @@ export async function walkByTab(page) {
 }
 
 /**
- * Goes through all screens of a class, and back. Returns the screens that do not fit the window, as they open or with
- * one more line of a figure's text, those whose question or one of its answers is not seen, and those whose picture is left
- * out or small: it has nearly half of the window's width, or three quarters of its height; that of a figure in full also three
- * fifths of the width, or two thirds of the height. A screen is measured when its figure works and its plates keep their place.
+ * Goes through all screens of a class, from the first to the last. On each it looks at the screen as it opens, and that of a
+ * figure with one more line of its text; then it gives each answer, and shows the longest sentence on what happened. Returns:
+ * - the screens that do not fit the window, and those whose question or one of its answers is not seen;
+ * - those whose picture is left out or small: it has nearly half of the window's width, or three quarters of its height; that
+ *   of a figure in full also three fifths of the width, or two thirds of the height;
+ * - those whose plates move or shrink with an answer or the sentence, and those on which the sentence or the answers are not
+ *   seen then.
+ * A screen is measured when its figure works and its plates keep their place. The page may be walked again in another window.
  * @param {Page} page @returns {Promise<string[]>}
  */
-export const unfitInClass = (/** @type {Page} */ page) =>
+export const badInClass = (/** @type {Page} */ page) =>
   page.evaluate(async () => {
     /** @type {string[]} */
     const found = [];
     const root = document.documentElement;
+    const all = (/** @type {string} */ selector) => /** @type {HTMLElement[]} */ ([...document.querySelectorAll(selector)]);
     const press = (/** @type {string} */ key) => document.dispatchEvent(new KeyboardEvent('keydown', { key }));
-    const frame = () => new Promise(requestAnimationFrame);
-    const now = () => `${[...document.querySelectorAll('.scene')].findIndex((scene) => scene.hasAttribute('data-now'))} ${root.dataset.part}`;
+    const frames = async () => {
+      for (let k = 0; k < 2; k += 1) await new Promise(requestAnimationFrame);
+    };
+    const now = () => `${all('.scene').findIndex((scene) => scene.hasAttribute('data-now'))} ${root.dataset.part}`;
     const boxOf = (/** @type {Element | null} */ element) => JSON.stringify(element?.getBoundingClientRect());
     /** Waits until the plates are where they were two frames before. */
     const settled = async (/** @type {Element | null} */ plates) => {
       for (let before = '', after = boxOf(plates); before !== after; after = boxOf(plates)) {
         before = after;
-        for (let k = 0; k < 2; k += 1) await frame();
+        await frames();
       }
     };
     /** All that is shown, without the inside of drawings and formulas. */
     const shown = (/** @type {Element} */ scene) => [...scene.querySelectorAll('*')].filter((one) => one.checkVisibility({ visibilityProperty: true }) && !one.closest('svg, math, .grip-carrier') && one.getBoundingClientRect().height > 0);
     let seen = 0;
-    /** @type {HTMLElement} */ (document.querySelector('#class')).click();
+    let moves = 0;
+    // An earlier walk in another window has given the answers.
+    for (const fold of all('details.answers')) fold.removeAttribute('open');
+    for (const input of all('.ask input[type=radio]')) /** @type {HTMLInputElement} */ (input).checked = false;
+    for (const sentence of all('.ask-seen')) sentence.hidden = true;
+    scrollTo({ top: 0, behavior: 'instant' });
+    document.getElementById('class')?.click();
     for (let before = ''; before !== now(); press('ArrowRight')) {
       before = now();
       seen += 1;
       const scene = /** @type {HTMLElement} */ (document.querySelector('[data-now]'));
       const [figure, plates, told] = ['.figure', '.plates', '.figure-told'].map((part) => /** @type {HTMLElement | null} */ (scene.querySelector(part)));
       const isFigure = root.dataset.part === 'figure';
-      while (isFigure && !figure?.dataset.hash) await frame();
+      const name = `${before} ${figure?.id ?? scene.dataset.kind}`;
+      while (isFigure && !figure?.dataset.hash) await frames();
       await settled(plates);
       const look = (/** @type {string} */ how) => {
         const lowest = Math.max(root.scrollHeight, ...shown(scene).map((one) => one.getBoundingClientRect().bottom + scrollY));
-        if (lowest > innerHeight + 1) found.push(`${before} ${figure?.id ?? scene.dataset.kind} ${how}: down to ${Math.round(lowest)}`);
+        if (lowest > innerHeight + 1) found.push(`${name} ${how}: down to ${Math.round(lowest)}`);
       };
       look('as it opens');
       for (const one of scene.querySelectorAll('.ask :is(legend, label)')) {
         const { top, bottom, width } = one.getBoundingClientRect();
-        if (!one.checkVisibility({ visibilityProperty: true }) || !width || top < 0 || bottom > innerHeight) found.push(`${before}: not seen: ${one.textContent}`);
+        if (!one.checkVisibility({ visibilityProperty: true }) || !width || top < 0 || bottom > innerHeight) found.push(`${name}: not seen: ${one.textContent}`);
       }
       if (!figure || !plates || !told) continue;
       const { width, height } = plates.getBoundingClientRect();
       const isSmall = (/** @type {number} */ broad, /** @type {number} */ high) => width < broad * innerWidth && height < high * innerHeight;
-      if (!plates.checkVisibility() || isSmall(0.46, 0.75) || (isFigure && isSmall(0.6, 0.66))) found.push(`${before} ${figure.id}: its picture has ${Math.round(width)} x ${Math.round(height)}`);
-      if (!isFigure) continue;
-      told.append(document.createElement('br'), 'A line more.');
-      await settled(plates);
-      look('with a line more');
-    }
-    press('Escape');
-    // The next class begins with the first screen.
-    scrollTo(0, 0);
-    return seen > 7 ? found : [`only ${seen} were seen`];
-  });
-
-/**
- * Goes through all screens of a class, gives an answer to each question, and shows the longest sentence on what happened with
- * it. Returns the screens whose plates move or shrink, and those on which the sentence or the answers are not seen then.
- * @param {Page} page @returns {Promise<string[]>}
- */
-export const movedInClass = (/** @type {Page} */ page) =>
-  page.evaluate(async () => {
-    /** @type {string[]} */
-    const found = [];
-    let seen = 0;
-    const press = (/** @type {string} */ key) => document.dispatchEvent(new KeyboardEvent('keydown', { key }));
-    const now = () => `${[...document.querySelectorAll('.scene')].findIndex((scene) => scene.hasAttribute('data-now'))} ${document.documentElement.dataset.part}`;
-    const settled = async () => {
-      for (let k = 0; k < 2; k += 1) await new Promise(requestAnimationFrame);
-    };
-    /** @type {HTMLElement} */ (document.querySelector('#class')).click();
-    for (let before = ''; before !== now(); press('ArrowRight')) {
-      before = now();
-      const plates = document.querySelector('[data-now] .plates');
-      if (!plates?.checkVisibility()) continue;
-      await settled();
-      const first = JSON.stringify(plates.getBoundingClientRect());
-      const shown = [...document.querySelectorAll('[data-now] :is(.ask input[type=radio], .seen-place)')].filter((one) => one.checkVisibility());
-      for (const one of shown) {
-        if (one instanceof HTMLInputElement) one.click();
-        for (const room of one.querySelectorAll('.seen-room')) {
-          const sentence = /** @type {HTMLElement} */ (one.querySelector('.ask-seen'));
-          sentence.hidden = false;
+      if (!plates.checkVisibility() || isSmall(0.46, 0.75) || (isFigure && isSmall(0.6, 0.66))) found.push(`${name}: its picture has ${Math.round(width)} x ${Math.round(height)}`);
+      const more = document.createElement('span');
+      more.append(document.createElement('br'), 'A line more.');
+      if (isFigure) {
+        told.append(more);
+        await settled(plates);
+        look('with a line more');
+      }
+      const first = boxOf(plates);
+      const stays = (/** @type {string} */ how) => {
+        if (boxOf(plates) !== first) found.push(`${name} ${how}: ${first} ${boxOf(plates)}`);
+      };
+      for (const input of scene.querySelectorAll('.ask input[type=radio]')) {
+        if (!input.checkVisibility()) continue;
+        /** @type {HTMLInputElement} */ (input).click();
+        moves += 1;
+        stays('with an answer');
+      }
+      for (const place of scene.querySelectorAll('.seen-place')) {
+        const sentence = /** @type {HTMLElement | null} */ (place.querySelector('.ask-seen'));
+        if (!sentence || !place.checkVisibility()) continue;
+        sentence.hidden = false;
+        for (const room of place.querySelectorAll('.seen-room')) {
           sentence.textContent = [...room.querySelectorAll('[data-room]')].map((part) => part.getAttribute('data-room')).join('');
+          moves += 1;
+          stays('with its sentence');
         }
-        await settled();
-        seen += 1;
-        const last = JSON.stringify(plates.getBoundingClientRect());
-        if (last !== first) found.push(`${before}: ${first} ${last}`);
       }
-      for (const one of document.querySelectorAll('[data-now] :is(.ask label, .ask-seen)')) {
+      // Scripts fit the plates again after answers unfold.
+      await frames();
+      stays('after a while');
+      for (const one of scene.querySelectorAll(isFigure ? '.ask label, .ask-seen' : '.ask label')) {
         const { left, top, right, bottom, width } = one.getBoundingClientRect();
-        const isShown = one.matches('.ask label') || document.documentElement.dataset.part === 'figure';
         const hit = document.elementFromPoint((left + right) / 2, (top + bottom) / 2);
-        if (isShown && (!width || bottom > innerHeight || !hit || !one.contains(hit))) found.push(`${before}: not seen: ${one.textContent}`);
+        if (!width || bottom > innerHeight || !hit || !one.contains(hit)) found.push(`${name}: not seen in the end: ${one.textContent}`);
       }
+      more.remove();
     }
     press('Escape');
-    return seen > 10 ? found : [`only ${seen} were seen`];
+    return seen > 7 && moves > 10 ? found : [`only ${seen} were seen, with ${moves} answers and sentences`];
   });
 
 /** Records the shifts of a page’s layout from its beginning on. */

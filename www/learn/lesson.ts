@@ -53,11 +53,14 @@ function slidesOf(scene: HTMLElement): Slide[] {
   return hasFigure ? [...ask, { scene, part: 'figure' }] : ask;
 }
 
-/** Room in pixels below a question's picture, and below the text of a figure. */
-const BELOW = { ask: 40, figure: 12 };
+/** Room in letters below a question's picture, and below the text of a figure. */
+const BELOW = { ask: 2.5, figure: 0.75 };
 
-/** The least height of a question's picture; with less room it is left out. */
-const LEAST = 180;
+/** The least height of a question's picture, in letters; with less room it is left out. */
+const LEAST = 11.25;
+
+/** The size of a letter in pixels, which is smaller on a small projector. */
+const letter = (): number => parseFloat(getComputedStyle(document.documentElement).fontSize);
 
 /** The least share of their height that a figure's plates keep for its text; with less room the page scrolls. */
 const SHARE = 0.7;
@@ -68,7 +71,7 @@ const SHARE = 0.7;
  */
 function fill(plates: HTMLElement, end: HTMLElement, part: Slide['part']): number {
   const { width, height } = plates.getBoundingClientRect();
-  const spare = innerHeight - BELOW[part] - scrollY - end.getBoundingClientRect().bottom;
+  const spare = innerHeight - BELOW[part] * letter() - scrollY - end.getBoundingClientRect().bottom;
   if (part === 'ask' || spare > (SHARE - 1) * height) plates.style.maxWidth = `${width * Math.max(0, 1 + spare / height)}px`;
   return height + spare;
 }
@@ -138,10 +141,10 @@ export class Lesson {
     // Text that stands beside the plates has no lower edge to fit.
     const isBelow = told.getBoundingClientRect().top >= plates.getBoundingClientRect().bottom;
     const end = part === 'figure' && isBelow ? told : plates;
-    fill(plates, end, part);
-    // Titles of smaller plates may take another line, so the plates are fitted a second time.
-    const height = fill(plates, end, part);
-    scene.toggleAttribute('data-bare', part === 'ask' && height < LEAST);
+    let height = 0;
+    // Titles and notes of smaller plates may each take another line, so the plates are fitted again.
+    for (let k = 0; k < 3; k += 1) height = fill(plates, end, part);
+    scene.toggleAttribute('data-bare', part === 'ask' && height < LEAST * letter());
     return plates.getBoundingClientRect().width;
   }
 
