@@ -85,13 +85,16 @@ for (const chapter of BY_TURNS) {
   });
 }
 
-/** Faults that axe finds on a page. */
+/** Faults that axe finds on a page with all handles of its figures. */
 async function faults(page) {
+  await page.$$eval('figure details', (folds) => folds.forEach((fold) => fold.setAttribute('open', '')));
   await page.evaluate(axe);
-  return page.evaluate(async () => {
-    const { violations } = await window.axe.run(document, { runOnly: { type: 'tag', values: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'] } });
+  const found = await page.evaluate(async () => {
+    const { violations } = await window.axe.run(document, { resultTypes: ['violations'], runOnly: { type: 'tag', values: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'] } });
     return violations.flatMap(({ id, nodes }) => nodes.map(({ html, any }) => `${id}: ${html.slice(0, 140)} ${any.map(({ message }) => message).join(' ')}`));
   });
+  await page.$$eval('figure details', (folds) => folds.forEach((fold) => fold.removeAttribute('open')));
+  return found;
 }
 
 /** Checks that a page loses nothing at a width of 390 px, nor with text of 200 %. */
@@ -324,8 +327,10 @@ const small = { width: 800, height: 600 };
 const wide = { width: 1920, height: 1080 };
 
 test('on paper a chapter has every figure and every answer, and no handles', sameEverywhere, async () => {
+  const { page, close } = await site.newPage('learn/', { dark: true });
   for (const chapter of BY_TURNS) {
-    const { page, close } = await site.newPage(chapter.path, { dark: true });
+    await page.emulateMediaType('screen');
+    await page.goto(site.address + chapter.path, { waitUntil: 'load' });
     await begun(page);
     await page.emulateMediaType('print');
     await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
@@ -346,8 +351,8 @@ test('on paper a chapter has every figure and every answer, and no handles', sam
     );
     assert.ok((inks[0]?.length ?? 0) > 3);
     assert.deepEqual(inks[0], inks[1], `${chapter.path}: colours of a dark page on paper`);
-    await close();
   }
+  await close();
 });
 
 test('after printing, the answers are folded again that the reader had not opened', sameEverywhere, async () => {
@@ -385,11 +390,24 @@ function badLetters(plates) {
   });
 }
 
-test('on the sheets to print each question has its sentence, its pictures and its lines, and no page cuts it', sameEverywhere, async () => {
+/** The number of pages of a height for these parts, if none of them is cut. @param {number[]} parts @param {number} height */
+function pagesOf(parts, height) {
+  const ends = [0];
+  for (const part of parts) {
+    const end = (ends.at(-1) ?? 0) + part;
+    if (end > height) ends.push(part);
+    else ends[ends.length - 1] = end;
+  }
+  return ends.length;
+}
+
+test('each sheet to print has two pages, on A4 and on Letter, and on them each question with its sentence, its pictures and its lines, uncut', sameEverywhere, async () => {
+  const { page, close } = await site.newPage('learn/');
+  await page.emulateMediaType('print');
   for (const { name, blocks } of chapters) {
     for (const language of ['en', 'ja']) {
-      const { page, close } = await site.newPage(`learn/${language === 'ja' ? 'ja/' : ''}${name}/sheet/`, { viewport: A4 });
-      await page.emulateMediaType('print');
+      await page.setViewport(A4);
+      await page.goto(`${site.address}learn/${language === 'ja' ? 'ja/' : ''}${name}/sheet/`, { waitUntil: 'load' });
       const seen = await page.$$eval('.asked', (all) =>
         all.map((one) => ({
           height: one.getBoundingClientRect().height,
@@ -416,37 +434,16 @@ test('on the sheets to print each question has its sentence, its pictures and it
       const pictured = seen.map(({ pictures }) => pictures > 0);
       assert.ok(pictured.filter(Boolean).length >= 2, `${name}: ${pictured}`);
       assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), A4.width, `${name} ${language}`);
-      await close();
-    }
-  }
-});
-
-/** The number of pages of a height for these parts, if none of them is cut. @param {number[]} parts @param {number} height */
-function pagesOf(parts, height) {
-  const ends = [0];
-  for (const part of parts) {
-    const end = (ends.at(-1) ?? 0) + part;
-    if (end > height) ends.push(part);
-    else ends[ends.length - 1] = end;
-  }
-  return ends.length;
-}
-
-test('each sheet has two pages, on A4 and on Letter, and no picture tells the answer to a question before it', sameEverywhere, async () => {
-  for (const { name } of chapters) {
-    for (const path of [`learn/${name}/sheet/`, `learn/ja/${name}/sheet/`]) {
-      const { page, close } = await site.newPage(path, { viewport: A4 });
-      await page.emulateMediaType('print');
+      // No picture tells the answer to a question before it: the sum at the point in the middle of the road.
+      if (name === 'which-way') assert.deepEqual(pictured, [false, true, false, true, true]);
       for (const paper of [A4, LETTER]) {
         await page.setViewport(paper);
         const parts = await page.$$eval('.sheet > header, .asked', (all) => all.map((part) => part.getBoundingClientRect().height));
-        assert.equal(pagesOf(parts, paper.height), 2, `${path}: ${parts.map(Math.round)} on ${paper.height}`);
+        assert.equal(pagesOf(parts, paper.height), 2, `${name} ${language}: ${parts.map(Math.round)} on ${paper.height}`);
       }
-      // The point in the middle of the road, whose sum an earlier question asks for.
-      if (name === 'which-way') assert.deepEqual(await page.$$eval('.asked', (all) => all.map((one) => one.querySelectorAll('svg.plate').length > 0)), [false, true, false, true, true]);
-      await close();
     }
   }
+  await close();
 });
 
 test('in class every slide fits the screen with a large picture; an answer, and the sentence on what happened, move nothing', sameEverywhere, async () => {
@@ -531,8 +528,10 @@ test('a plate has its place before the one beside it has come', sameEverywhere, 
 });
 
 test('figures have lines and areas alone, sharp on any screen, and words that can be read, on a desk and on a phone', sameEverywhere, async () => {
+  const { page, close } = await site.newPage('learn/');
   for (const { path, ...chapter } of BY_TURNS) {
-    const { page, close } = await site.newPage(path, { viewport: { ...desk, deviceScaleFactor: 2 } });
+    await page.setViewport({ ...desk, deviceScaleFactor: 2 });
+    await page.goto(site.address + path, { waitUntil: 'load' });
     await begun(page);
     await page.waitForSelector('.figure[data-live]');
     const found = await page.$$eval('.figure', (all) => all.map((figure) => [figure.querySelectorAll('canvas, img, image, foreignObject').length, figure.querySelectorAll('svg.plate').length > 0]));
@@ -542,8 +541,8 @@ test('figures have lines and areas alone, sharp on any screen, and words that ca
       await frames(page, 2);
       assert.deepEqual(await page.$$eval('.figure svg.plate', badWords), [], `${path} at ${viewport.width}`);
     }
-    await close();
   }
+  await close();
 });
 
 test('choosing an answer opens what is said on the answers', sameEverywhere, async () => {

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { after, before } from 'node:test';
 import { goldenStops } from '../common/figures.mjs';
-import { open } from './harness.mjs';
+import { desk, open } from './harness.mjs';
 import { inSight, phone } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
@@ -12,18 +12,40 @@ import { inSight, phone } from './page.mjs';
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 /**
- * Opens the site before the tests of a file, and closes it after them. Returns a function that opens a chapter in a page.
+ * Opens the site before the tests of a file, and closes it after them. Returns a function that opens a chapter in a page. A page
+ * that was closed is opened again for a later test with the same options, as its files and the compiled module are there.
  * @param {string} name of the chapter
  */
 export function chapterPages(name) {
+  /** @typedef {Awaited<ReturnType<typeof site.newPage>>} Opened */
   /** @type {Awaited<ReturnType<typeof open>>} */
   let site;
+  /** The closed pages, by their options. @type {Map<string, Opened[]>} */
+  const closed = new Map();
   before(async () => {
     site = await open();
   });
   after(() => site?.close());
   /** @param {string} [fragment] @param {import('./harness.mjs').PageOptions & { language?: 'en' | 'ja' }} [options] */
-  return (fragment = '', { language = 'en', ...options } = {}) => site.newPage(`learn/${language === 'ja' ? 'ja/' : ''}${name}/${fragment}`, options);
+  return async (fragment = '', { language = 'en', ...options } = {}) => {
+    const path = `learn/${language === 'ja' ? 'ja/' : ''}${name}/${fragment}`;
+    // What runs before the page is opened stays in it.
+    if (options.before) return site.newPage(path, options);
+    const pages = closed.get(JSON.stringify(options)) ?? [];
+    closed.set(JSON.stringify(options), pages);
+    const opened = pages.pop() ?? (await site.newPage(path, options));
+    if (opened.page.url() === 'about:blank') {
+      opened.problems.length = 0;
+      await opened.page.goto(site.address + path, { waitUntil: 'load' });
+    }
+    const close = async () => {
+      await opened.page.goto('about:blank');
+      await opened.page.mouse.move(0, 0);
+      await opened.page.setViewport(options.viewport ?? desk);
+      pages.push(opened);
+    };
+    return { ...opened, close };
+  };
 }
 
 /** Brings a figure of a page that has all its scenes into sight and waits until it works. @param {Page} page @param {string} name */
@@ -156,14 +178,14 @@ export async function violations(page) {
   await page.$$eval('figure details', (folds) => folds.forEach((fold) => fold.setAttribute('open', '')));
   await page.evaluate(axe);
   const faults = await page.evaluate(async () => {
-    const found = await /** @type {any} */ (window).axe.run('figure[data-figure]');
+    const found = await /** @type {any} */ (window).axe.run('figure[data-figure]', { resultTypes: ['violations'] });
     return found.violations.flatMap((/** @type {any} */ { id, nodes }) => nodes.map((/** @type {any} */ { html }) => `${id}: ${html.slice(0, 160)}`));
   });
   return [...wide, ...faults];
 }
 
 /**
- * Checks that each figure has the golden state at each of its stops, and that axe finds nothing in the page's figures.
+ * Checks that each figure has the golden state at each of its stops.
  * @param {ReturnType<typeof chapterPages>} chapter
  * @param {readonly string[]} figures
  * @param {(page: Page, figure: string, golden: { stop: string, step: string }) => Promise<void>} [look] at each stop
@@ -180,7 +202,6 @@ export async function hasGoldenStates(chapter, figures, look) {
     await page.waitForSelector(`${figure}[data-step="${step}"][data-hash="${hash}"]`);
     await look?.(page, figure, { stop, step });
   }
-  assert.deepEqual(await violations(page), []);
   assert.deepEqual(problems, []);
   await close();
 }
