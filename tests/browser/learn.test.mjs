@@ -242,8 +242,13 @@ test('each question is answered by doing what it asks', async () => {
   await close();
 });
 
-test('on a phone and in class the sentences on what happened stay in sight beside their figure', sameEverywhere, async () => {
+test('on a phone, on a desk and in class the sentences on what happened stay in sight beside their figure', sameEverywhere, async () => {
   const { page, problems, close } = await chapter('', { viewport: phone });
+  await at(page, 'top');
+  await inSight(page, '#fig-top [data-stop="two"]');
+  await page.tap('#fig-top [data-stop="two"]');
+  await answered(page, 'made');
+  assert.ok(await page.$eval('[data-seen="made"]', inWindow), 'the question on top');
   await at(page, 'let-go');
   await type(page, '#fig-let-go', 'w', 1.6);
   await page.waitForSelector('#fig-let-go[data-step="0"]');
@@ -261,6 +266,12 @@ test('on a phone and in class the sentences on what happened stay in sight besid
   for (const block of ['start', 'center', 'end']) {
     await page.$eval('#fig-let-go', (figure, place) => figure.scrollIntoView({ block: place, behavior: 'instant' }), block);
     for (const key of ['far', 'near']) assert.ok(await page.$eval(`[data-seen="${key}"]`, inWindow), `${key}, ${block}`);
+  }
+  // The same kind of screen, as one without touch would load the page again.
+  await resize(page, { ...phone, ...desk });
+  for (const handle of ['.time-line', '.handle[data-key="damp"]']) {
+    await inSight(page, `#fig-let-go ${handle}`);
+    assert.ok(await page.$eval('[data-seen="far"]', inWindow), `far, on a desk at ${handle}`);
   }
   await page.setViewport({ width: 1024, height: 768 });
   await page.$eval('#class', (button) => button.click());
