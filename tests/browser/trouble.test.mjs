@@ -265,6 +265,19 @@ test('a dropped folder cannot be read, which a sentence tells', sameEverywhere, 
   await close();
 });
 
+test('a file that is dropped while a dialog is open closes it, and is opened', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(SQUARE);
+  await digest(page);
+  const before = await link(page);
+  await click(page, '#save');
+  await page.waitForSelector('#save-dialog[open]');
+  await drop(page, 'shape.svg', '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100"><path d="M10 10H90V50H10Z"/></svg>', 'image/svg+xml');
+  await page.waitForFunction((was) => window.bubblestone.link() !== was, {}, before);
+  assert.equal(await page.$('dialog[open]'), null);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 /** Drags data over an element and drops it there, as the browser does. Returns which of these events the page takes. @param {import('puppeteer-core').Page} page @param {string} selector @param {Record<string, string>} data */
 const dragged = (page, selector, data) =>
   page.$eval(

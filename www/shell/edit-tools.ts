@@ -99,6 +99,8 @@ export class EditTools {
       if (!dataTransfer || isForField(event, dataTransfer)) return;
       event.preventDefault();
       if (isOwn) return;
+      // What comes of it is seen on the page, which a dialog covers.
+      document.querySelector<HTMLDialogElement>('dialog[open]')?.close();
       const files = [...dataTransfer.files];
       // Takes the first file that may be an outline, a recipe, a building or a model.
       const file = files.find(({ name }) => /\.(svg|json|png)$/i.test(name) || isModel(name)) ?? files[0];
