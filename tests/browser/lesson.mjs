@@ -29,7 +29,7 @@ export function chapterPages(name) {
   /** @param {string} [fragment] @param {import('./harness.mjs').PageOptions & { language?: 'en' | 'ja' }} [options] */
   return async (fragment = '', { language = 'en', ...options } = {}) => {
     const path = `learn/${language === 'ja' ? 'ja/' : ''}${name}/${fragment}`;
-    // What runs before the page is opened stays in it.
+    // A script that runs before the page is opened stays in it.
     if (options.before) return site.newPage(path, options);
     const pages = closed.get(JSON.stringify(options)) ?? [];
     closed.set(JSON.stringify(options), pages);

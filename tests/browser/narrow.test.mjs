@@ -80,7 +80,7 @@ for (const [letters, before] of Object.entries({ usual: undefined, large })) {
   });
 }
 
-/** What is wider than the room of an element. @param {import('puppeteer-core').Page} page @param {string} selector */
+/** The parts that are wider than the room of an element. @param {import('puppeteer-core').Page} page @param {string} selector */
 const tooWide = (page, selector) =>
   page.$eval(selector, (whole) => {
     const { left } = whole.getBoundingClientRect();

@@ -99,7 +99,7 @@ export class EditTools {
       if (!dataTransfer || isForField(event, dataTransfer)) return;
       event.preventDefault();
       if (isOwn) return;
-      // What comes of it is seen on the page, which a dialog covers.
+      // The result is seen on the page, which a dialog covers.
       document.querySelector<HTMLDialogElement>('dialog[open]')?.close();
       const files = [...dataTransfer.files];
       // Takes the first file that may be an outline, a recipe, a building or a model.
