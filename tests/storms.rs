@@ -229,6 +229,44 @@ fn turn(random: &mut Random, studio: &mut Studio) {
     }
 }
 
+/// Saves all files of a finished picture, and points at its bodies.
+fn take_all(random: &mut Random, studio: &mut Studio) {
+    for (format, joined) in [
+        (MeshFormat::Glb, false),
+        (MeshFormat::Glb, true),
+        (MeshFormat::Obj, false),
+    ] {
+        let order = MeshOrder {
+            format,
+            detail: 4,
+            images: None,
+            joined,
+        };
+        if let Ok(meshes) = studio.meshes() {
+            let file = meshes.mesh_file(&order, &mut || 0.0, f64::INFINITY);
+            assert!(file.is_ok_and(|file| file.done), "{order:?}");
+        }
+    }
+    let order = TurnOrder {
+        subject: String::new(),
+        camera: studio.generator().camera(),
+        size: FRAME,
+        how: "moving+floor".to_owned(),
+    };
+    let Ok(frames) = studio.frames() else { return };
+    assert!(
+        frames
+            .turn(&order, &mut || 0.0, f64::INFINITY)
+            .is_ok_and(|frame| frame.done)
+    );
+    for _ in 0..40 {
+        let [x, y] = FRAME.map(|side| random.below(side));
+        if let Some(body) = frames.body_at(x, y) {
+            frames.making(body.id);
+        }
+    }
+}
+
 /// Works up to the end and returns the digest, or the sentence of a refusal. The files of earlier generators are gone, so
 /// all are given again.
 fn end_of(studio: &mut Studio) -> String {
@@ -257,6 +295,9 @@ fn whatever_is_done_in_whatever_order_the_end_is_that_of_the_recipe() {
         let end = end_of(&mut studio);
         let fresh = end_of(&mut Studio::new(ALL, studio.recipe().clone()));
         assert_eq!(end, fresh, "#{}", studio.recipe().link());
+        if studio.stage() == "done" {
+            take_all(random, &mut studio);
+        }
         end
     });
 }
