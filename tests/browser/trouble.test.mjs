@@ -126,16 +126,23 @@ test('words that do not arrive leave the page in English, which says so once', s
   await close();
 });
 
-test('a module that does not arrive gets a sentence', sameEverywhere, async () => {
-  const { page, close } = await site.newPage(SMALL, {
-    before: async (fresh) => {
-      await fresh.setRequestInterception(true);
-      fresh.on('request', (request) => (request.url().endsWith('.wasm') ? request.abort() : request.continue()));
-    },
+// A network that wants a sign-in first answers every request with a page.
+for (const how of ['does not arrive', 'comes as a page to sign in']) {
+  test(`a module that ${how} gets a sentence`, sameEverywhere, async () => {
+    const { page, close } = await site.newPage(SMALL, {
+      before: async (fresh) => {
+        await fresh.setRequestInterception(true);
+        const answer = { status: 200, contentType: 'text/html', body: '<!doctype html><title>Sign in</title>' };
+        fresh.on('request', (request) => {
+          if (!request.url().endsWith('.wasm')) void request.continue();
+          else void (how === 'does not arrive' ? request.abort() : request.respond(answer));
+        });
+      },
+    });
+    await message(page, 'alert', /could not be loaded. Please check the connection/);
+    await close();
   });
-  await message(page, 'alert', /could not be loaded/);
-  await close();
-});
+}
 
 /**
  * A page whose requests for files of this kind fail while `lost.now` matches them; `lost.first` waits for the first one.

@@ -34,8 +34,10 @@ export async function load(link: string, lost: PageWord = 'lost_wasm', spoken?: 
 
 /** The cause that an error of a load tells, unless it is the connection. Browsers tell a lack of memory in several ways. */
 function reasonWord(error: unknown): PageWord | undefined {
-  if (error instanceof RangeError || /out of memory/i.test(reasonOf(error))) return 'no_memory';
-  return error instanceof WebAssembly.CompileError ? 'old_wasm' : undefined;
+  const reason = reasonOf(error);
+  if (error instanceof RangeError || /out of memory/i.test(reason)) return 'no_memory';
+  // All browsers call the first bytes of a module its magic. Others come if a network answers with a page of its own.
+  return error instanceof WebAssembly.CompileError && !/magic/i.test(reason) ? 'old_wasm' : undefined;
 }
 
 export class Arrivals {
