@@ -226,6 +226,11 @@ test('a browser without workers and storing keeps the picture, and opens a model
   await message(page, 'alert', /could not be loaded/);
   await page.waitForSelector('#turn-button[aria-pressed=false]');
   assert.equal(await page.$('.turn'), null);
+  // Another part that arrives leaves the sentence where it is.
+  await click(page, '#light-button');
+  await page.waitForSelector('#light-sun', { visible: true });
+  await frames(page, 5);
+  assert.match((await messages(page)).join(), /could not be loaded/);
   await drop(page, 'wedge.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n', '');
   await message(page, 'status', /wedge\.obj could not be kept/);
   assert.equal(await get(page, 'form'), 'file');

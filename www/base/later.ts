@@ -9,6 +9,8 @@ export class Later<T> {
   here: T | undefined;
   private readonly bring: () => Promise<T>;
   private coming: Promise<T | undefined> | undefined;
+  /** Whether the last try failed, which a message tells. */
+  private isLost = false;
 
   constructor(bring: () => Promise<T>) {
     this.bring = bring;
@@ -18,11 +20,14 @@ export class Later<T> {
   load(): Promise<T | undefined> {
     this.coming ??= bringLostStyles().then(this.bring).then(
       (part) => {
-        clear('part');
+        // The message of another part, or of the turntable, stays.
+        if (this.isLost) clear('part');
+        this.isLost = false;
         return (this.here = part);
       },
       () => {
         this.coming = undefined;
+        this.isLost = true;
         tellLost();
         return undefined;
       },

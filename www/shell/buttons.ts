@@ -43,16 +43,19 @@ export function bindButtons(house: House): void {
   });
   const select = byIdAs('language', HTMLSelectElement);
   select.value = language();
+  let isLost = false;
   select.addEventListener('change', () => {
-    const isLost = (): void => {
+    const lose = (): void => {
+      isLost = true;
       select.value = language();
       tellLost();
     };
     const isSpoken = (): void => {
-      clear('part');
+      if (isLost) clear('part');
+      isLost = false;
       host.loop.redraw();
     };
-    void speak(select.value).then(isSpoken, isLost);
+    void speak(select.value).then(isSpoken, lose);
   });
   store.on(['past', 'future', 'stored', 'own'], showHistory);
   showHistory(store.state);
