@@ -14,7 +14,7 @@ const chapter = chapterPages('how-many');
 /** How often parts of a plate are drawn. @param {Page} page @param {string} figure @param {number} plate @param {string} selector */
 const drawn = (page, figure, plate, selector) => page.$$eval(`${figure} .plate-box[data-plate="${plate}"] svg ${selector}`, (all) => all.length);
 
-test('each stop has the golden state', () => hasGoldenStates(chapter, FIGURES));
+test('each stop has the golden state', sameEverywhere, () => hasGoldenStates(chapter, FIGURES));
 
 test('crosses and empty places say who goes and who comes at the next look', async () => {
   const { page, problems, close } = await chapter();

@@ -47,7 +47,7 @@ const corner = (figure, corner) => `${figure} .grip-carrier:nth-child(${corner +
 /** The walls as they are drawn. @param {Page} page @param {string} figure */
 const walls = (page, figure) => page.$eval(`${figure} .plate .outline`, (path) => path.getAttribute('d') ?? '');
 
-test('each stop has the golden state, and a run ends where it is at rest', () =>
+test('each stop has the golden state, and a run ends where it is at rest', sameEverywhere, () =>
   hasGoldenStates(chapter, FIGURES, async (page, figure, { stop, step }) => {
     if (stop === 'rest') assert.equal((await shown(page, figure)).said, `step ${step} of ${step}`);
   }));

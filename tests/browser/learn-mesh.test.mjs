@@ -57,7 +57,7 @@ async function write(page, figure, x, y) {
   }
 }
 
-test('each stop has the golden state', () => hasGoldenStates(chapter, FIGURES));
+test('each stop has the golden state', sameEverywhere, () => hasGoldenStates(chapter, FIGURES));
 
 test('dual: the layers come one after another, and the cell that is looked at follows mouse, tap, keys and boxes', async () => {
   const { page, problems, close } = await chapter();

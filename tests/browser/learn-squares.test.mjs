@@ -37,7 +37,7 @@ async function drop(page, figure, x, y) {
   await stands(page, figure, x, y);
 }
 
-test('each stop has the golden state', () => hasGoldenStates(chapter, FIGURES));
+test('each stop has the golden state', sameEverywhere, () => hasGoldenStates(chapter, FIGURES));
 
 test('wells: a square at 45 degrees stays at weight 0 and slides at 0.05, which answers the question', sameEverywhere, async () => {
   const { page, problems, close } = await chapter();

@@ -57,7 +57,7 @@ async function addressWith(page, words, before = '') {
   return page.evaluate(() => location.hash);
 }
 
-test('each figure opens, and stops, at its golden state', () =>
+test('each figure opens, and stops, at its golden state', sameEverywhere, () =>
   hasGoldenStates(chapter, FIGURES, async (page, figure, { stop }) => {
     assert.equal((await page.$(`${figure} input.time`)) === null, stop === 'opens');
   }));

@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { goldenStops } from '../common/figures.mjs';
 import { sameEverywhere } from './browsers.mjs';
 import { desk } from './harness.mjs';
-import { answer, answered, at, boxHas, chapterPages, follow, heights, middle, seek, shown, type, violations } from './lesson.mjs';
+import { answer, answered, at, boxHas, chapterPages, follow, hasGoldenStates, heights, middle, seek, shown, type, violations } from './lesson.mjs';
 import { inSight, phone, resize } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
@@ -22,18 +22,7 @@ const inWindow = (element) => {
 
 const FIGURES = ['top', 'pair', 'let-go', 'not-so', 'exercise'];
 
-test('each stop of each figure has the golden state', async () => {
-  const { page, problems, close } = await chapter();
-  for (const { figure: name, stop, step, hash } of goldenStops().filter(({ figure }) => FIGURES.includes(figure))) {
-    const figure = await at(page, name);
-    // A run that was seen to its end offers all its stops.
-    if (stop === 'start') await seek(page, figure, Number(await page.$eval(`${figure} input.time`, (slider) => slider.max)));
-    await page.click(`${figure} [data-stop="${stop}"]`);
-    await page.waitForSelector(`${figure}[data-step="${step}"][data-hash="${hash}"]`);
-  }
-  assert.deepEqual(problems, []);
-  await close();
-});
+test('each stop has the golden state', () => hasGoldenStates(chapter, FIGURES));
 
 test('the distance follows the mouse, the keys, a tap and the box; figure, text and numbers follow it', async () => {
   const { page, problems, close } = await chapter();

@@ -1,4 +1,5 @@
 // The parts of the figures that tests need, in one file for the bundler.
+export { linked, measured } from './figures-measured.mjs';
 export { FIGURES } from '../../www/learn/draw/chapters';
 export { countOf, crowdAt, nearestTo, packedOf } from '../../www/learn/figures/crowds';
 export { curveOf, lastStepOf, markedAt, stopsOf } from '../../www/learn/draw/picture';

@@ -1,4 +1,4 @@
-// The figures of the chapters, measured by a module in Node, and the golden list of their numbers.
+// The code of the chapters' figures in one file, and the golden list of their numbers.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
@@ -7,81 +7,15 @@ const list = new URL('../learn.txt', import.meta.url);
 const linkList = new URL('../learn-links.txt', import.meta.url);
 const entry = fileURLToPath(new URL('figures-entry.mjs', import.meta.url));
 
-/** Plates that show joined cells. */
-const JOINED = new Set(['dual', 'mesh', 'delaunay']);
-
-/** The figures, their stops and their readings, as the page has them. */
-export async function figuresCode() {
+/** The code of the figures, of their stops and their readings, as the page has it, in one file. @returns {Promise<string>} */
+export async function figuresText() {
   const own = { write: false, ssr: true, target: 'es2022', rolldownOptions: { input: entry, output: /** @type {const} */ ({ format: 'es' }) } };
   const { output } = /** @type {any} */ (await build({ configFile: false, publicDir: false, logLevel: 'warn', build: own }));
-  return import(`data:text/javascript;base64,${Buffer.from(output[0].code).toString('base64')}`);
+  return output[0].code;
 }
 
-/**
- * A line for each stop of each figure, or for its opening if it has none: its name, the stop, its step, the hashes of the states, and the numbers of all bits.
- * @param {any} module
- * @returns {Promise<string[]>}
- */
-export async function measured(module) {
-  const { FIGURES, Reading, countOf, crowdAt, stopsOf } = await figuresCode();
-  return FIGURES.flatMap((/** @type {any} */ figure) => {
-    const readings = figure.packings.map((/** @type {any} */ own) => new Reading(module, figure, figure.recipe, own));
-    for (const reading of readings) while (!reading.advance(1000));
-    const stops = stopsOf(figure, readings);
-    const lines = (stops.length ? stops : [{ key: 'opens', step: figure.opens }]).map((/** @type {any} */ { key, step }) => {
-      const states = readings.flatMap((/** @type {any} */ reading) => {
-        if (figure.steps === 'walk') return [reading.hashAt(step), ...directionsIn(reading, figure.at, step)];
-        const { w, force, energy, motion } = reading.moments[step] ?? {};
-        const crowd = crowdAt(reading, step);
-        const ofCrowd = crowd ? [countOf(crowd), crowd.pairs, crowd.walls, crowd.motion, crowd.move] : [reading.cells.length];
-        const ofJoined = figure.plates.some(({ draw }) => JOINED.has(draw)) ? joinedIn(reading, step) : [];
-        return [reading.hashAt(step), ...(w === undefined ? ofCrowd : [w, force, energy, motion]), ...ofJoined];
-      });
-      return [figure.name, key, step, ...states].join(' ');
-    });
-    for (const reading of readings) reading.free();
-    return lines;
-  });
-}
-
-/**
- * A line for each packing of each figure, for the native test of the same list: its name, what its steps are, the place that is
- * looked at, and its link.
- * @param {any} module
- * @returns {Promise<string[]>}
- */
-export async function linked(module) {
-  const { FIGURES, Reading } = await figuresCode();
-  return FIGURES.flatMap((/** @type {any} */ figure) =>
-    figure.packings.map((/** @type {any} */ own) => {
-      const reading = new Reading(module, figure, figure.recipe, own);
-      const { link } = reading;
-      reading.free();
-      return [figure.name, figure.steps, placeOf(figure.at).join(','), link].join(' ');
-    }),
-  );
-}
-
-/** The place that is looked at, or else the middle, in sides of the picture. @param {number[]} at */
-const placeOf = ([x = 0.5, y = 0.5]) => [x, y];
-
-/** The number of Delaunay's triangles, the median of the mesh's smallest angles, and the smallest angle. @param {any} reading @param {number} step */
-function joinedIn(reading, step) {
-  const { triangles, median } = reading.joined(Math.min(step, Math.max(0, reading.steps.length - 1)));
-  return [triangles.length, median, Math.min(...triangles.flatMap((/** @type {any} */ { angles }) => angles))];
-}
-
-/**
- * The direction at the place that is looked at, or else in the middle, with its certainty; how much is left of the printed sum,
- * or the quarter turns of a walk up to a step.
- * @param {any} reading @param {number[]} at @param {number} step
- * @returns {number[]}
- */
-function directionsIn({ directions }, at, step) {
-  const place = placeOf(at);
-  const { along, certainty } = directions.at(place);
-  return [...along, certainty, at.length > 2 ? directions.walk(at)[step].quarters : directions.terms(place).share];
-}
+/** That code, loaded in Node. */
+export const figuresCode = async () => import(`data:text/javascript;base64,${Buffer.from(await figuresText()).toString('base64')}`);
 
 /** @param {URL} file */
 const linesOf = (file) => readFileSync(file, 'utf8').trim().split('\n');

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { moduleIn } from '../../scripts/lib/headless.mjs';
 import { pageModule } from '../../scripts/lib/wasm.mjs';
-import { figuresCode, golden, goldenLinks, linked, measured, writeGolden } from '../common/figures.mjs';
+import { figuresCode, golden, goldenLinks, writeGolden } from '../common/figures.mjs';
 
 /** @type {any} */
 let module;
@@ -28,7 +28,7 @@ function reading(name, values = {}) {
 test('each figure has the golden numbers at each stop, on a machine so slow that each slice ends at once', async (context) => {
   let time = 0;
   context.mock.method(performance, 'now', () => (time += 100));
-  const [lines, links] = [await measured(module), await linked(module)];
+  const [lines, links] = [code.measured(module), code.linked(module)];
   if (process.env.BUBBLESTONE_UPDATE) writeGolden(lines, links);
   assert.deepEqual(lines, golden());
   assert.deepEqual(links, goldenLinks());
