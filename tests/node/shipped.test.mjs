@@ -6,6 +6,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
+import { gzipSync } from 'node:zlib';
 import typescript from 'typescript';
 import { all, Canvas, moduleIn } from '../../scripts/lib/headless.mjs';
 import { digests, frames, masonry, piles, surfaces, varied } from '../common/golden.mjs';
@@ -109,6 +110,14 @@ test('the module that makes all has the same planes, bodies and frames', async (
   }
   for (const [digest, link] of [...surfaces, ...piles, ...masonry]) assert.equal(all.digest_of_link(link), digest, link);
   for (const { hash, camera, link } of frames) assert.equal(all.frame_of_link(link, camera), hash, link);
+});
+
+test('the package tells how large its module is', () => {
+  const whole = readFileSync(join(wholeModule, 'bubblestone_bg.wasm'));
+  const [, ...told] = text('../package/README.md').match(/The module has about ([\d.]+) MB, ([\d.]+) MB gzipped/) ?? [];
+  const sizes = [whole, gzipSync(whole)].map((bytes) => bytes.length / 1e6);
+  assert.equal(told.length, 2);
+  for (const [k, size] of sizes.entries()) assert.ok(Math.abs(Number(told[k]) / size - 1) < 0.1, `${told[k]} MB, but ${size} MB`);
 });
 
 test('the first picture, a large one, and the largest painted anew take the memory that is stated', async () => {
