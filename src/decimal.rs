@@ -183,11 +183,16 @@ pub(crate) fn text(x: f64) -> String {
     sign.to_owned() + if is_long { &power } else { &plain }
 }
 
-/// The text of a number that is rounded to this many places behind the point.
-#[cfg(house)]
-pub(crate) fn text_to(places: usize, x: f64) -> String {
+/// A number rounded to this many places behind the point. If it becomes 0, it has no sign.
+pub(crate) fn round_to(places: usize, x: f64) -> f64 {
     let ten = TENS[places];
-    text((x * ten).round() / ten)
+    // Adding 0 turns -0 into 0.
+    (x * ten).round() / ten + 0.0
+}
+
+/// The text of a number that is rounded to this many places behind the point.
+pub(crate) fn text_to(places: usize, x: f64) -> String {
+    text(round_to(places, x))
 }
 
 /// The fewest digits that read back as a double, and the power of ten of the first.
@@ -357,6 +362,19 @@ mod tests {
             (f64::NAN, "not a finite number"),
         ] {
             assert_eq!(text(x), wanted);
+        }
+    }
+
+    #[test]
+    fn what_rounds_to_zero_has_no_sign() {
+        for (places, x, wanted) in [
+            (2, -0.004, "0"),
+            (2, -0.006, "-0.01"),
+            (3, -0.0, "0"),
+            (0, -0.4, "0"),
+            (1, -12.34, "-12.3"),
+        ] {
+            assert_eq!(text_to(places, x), wanted);
         }
     }
 

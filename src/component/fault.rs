@@ -61,9 +61,9 @@ impl ComponentFault {
             Self::OneSided => Code::ModelOneSided.into(),
             Self::Flat => Code::ComponentFlat.into(),
             Self::Crossing { pairs, at } => {
-                let fine = fine(at);
-                let rounded = |v: f64| decimal::text((v * fine).round() / fine + 0.0);
-                let at = at.to_array().map(rounded).join(", ");
+                let places = places(at);
+                let at = at.to_array().map(|v| decimal::text_to(places, v));
+                let at = at.join(", ");
                 let notice = Notice::new(Code::ComponentCrossing).with("pairs", pairs);
                 notice.with("at", at)
             }
@@ -84,12 +84,11 @@ impl From<Notice> for ComponentFault {
     }
 }
 
-/// The inverse of the unit to which a place is rounded: a hundredth, or less for a small file.
-fn fine(at: DVec3) -> f64 {
+/// The places behind the point to which a place is rounded: two, or more for a small file.
+fn places(at: DVec3) -> usize {
     let most = at.abs().max_element();
     let steps = [1e2, 1e3, 1e4, 1e5];
-    let is_fine = |step: &&f64| most * **step >= 50.0;
-    *steps.iter().find(is_fine).unwrap_or(&1e6)
+    2 + steps.iter().take_while(|step| most * **step < 50.0).count()
 }
 
 /// Whether a component with this largest inner sphere and this diagonal is thick enough.

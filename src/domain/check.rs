@@ -62,20 +62,16 @@ fn at(code: Code, ring: Ring, place: DVec2) -> Notice {
 
 /// The text of a place, in tenths of a picture unit, which are fine enough to find it.
 fn said(place: DVec2) -> String {
-    // Very large coordinates, as in wrong units, are not rounded. Adding 0 turns -0 into 0.
-    let tenth = |x: f64| {
-        if x.abs() < 1e6 {
-            (x * 10.0).round() / 10.0 + 0.0
-        } else {
-            x
-        }
-    };
-    let [x, y] = [place.x, place.y].map(|x| decimal::text(tenth(x)));
+    // Very large coordinates, as in wrong units, are not rounded.
+    let [x, y] = place.to_array().map(|x| match x.abs() < 1e6 {
+        true => decimal::text_to(1, x),
+        false => decimal::text(x),
+    });
     format!("({x}, {y})")
 }
 
 fn thousandths(x: f64) -> String {
-    decimal::text((x * 1000.0).round() / 1000.0)
+    decimal::text_to(3, x)
 }
 
 /// The notice for too many points.

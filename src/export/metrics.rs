@@ -1,6 +1,7 @@
 //! The metrics as JSON.
 
 use super::json::{number, object};
+use crate::decimal;
 use crate::metrics::{Cover, Histogram, Metrics};
 
 /// `{"cells":{...},"mesh":{...}}`: the contents of [`Metrics`], with areas as shares of the outline's, angles in
@@ -59,8 +60,7 @@ fn cover(cover: &Cover) -> [(&'static str, String); 3] {
 
 /// To six digits after the point.
 fn rounded(x: f64) -> String {
-    // Adding 0 turns -0 into 0: sums of lengths are inexact, and 0 must not become -0.
-    number((x * 1e6).round() / 1e6 + 0.0)
+    number(decimal::round_to(6, x))
 }
 
 fn optional(x: Option<f64>) -> String {

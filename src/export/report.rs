@@ -61,13 +61,10 @@ fn number(x: f64) -> String {
 impl Report {
     /// The report as a JSON object.
     pub fn json(&self) -> String {
-        let times = self.milliseconds.iter().map(|t| {
-            format!(
-                "{}:{}",
-                text(t.stage),
-                number((t.ms * 1000.0).round() / 1e3)
-            )
-        });
+        let times = self
+            .milliseconds
+            .iter()
+            .map(|t| format!("{}:{}", text(t.stage), number(decimal::round_to(3, t.ms))));
         let times: Vec<String> = times.collect();
         let (low, high) = self.height_range;
         let mut fields = vec![

@@ -175,3 +175,8 @@ test('saved files are named by one rule, in letters that every system takes', as
   assert.equal(fileName('17 (d)', '2', { size: 512, variant: ['maps', false, 'unreal'], ending: 'zip' }), 'bubblestone-17-d-2-512-maps-unreal.zip');
   assert.equal(fileName('/Café…', '3', { variant: ['low', 'one-mesh'], ending: 'glb' }), 'bubblestone-cafe-3-low-one-mesh.glb');
 });
+
+test('a number that rounds to zero has no sign', async () => {
+  const { fixed } = await moduleOf('../../www/base/fixed.ts');
+  assert.deepEqual([-0.0004, -0, 0.0004, -0.0006, -2].map((value) => fixed(value, 3)), ['0.000', '0.000', '0.000', '-0.001', '-2.000']);
+});

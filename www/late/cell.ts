@@ -1,6 +1,7 @@
 /** The measures of a cell or a body as rows of a card, each with its name. */
 import { t, type LookWord } from '../words/look';
 import { make } from '../base/dom';
+import { fixed } from '../base/fixed';
 import { FEATURE, ROWS, TEXTS, type MeasureRow } from './measures';
 
 /** A row's value; undefined if one of its numbers is unknown. */
@@ -9,7 +10,7 @@ function valueOf({ numbers, value }: MeasureRow, measures: ReadonlyMap<string, u
   for (const [word, digits] of Object.entries(numbers)) {
     const number = measures.get(word);
     if (typeof number !== 'number') return undefined;
-    values[word] = number.toFixed(digits).replace('-', '−');
+    values[word] = fixed(number, digits).replace('-', '−');
   }
   const [first = ''] = Object.values(values);
   const word = typeof value === 'object' ? value[Number(first)] : value;

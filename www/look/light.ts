@@ -1,6 +1,7 @@
 /** Handles for the sun, or the lamp, on the picture: to drag, or to move by arrow keys. Only the light is computed again. */
 import { t } from '../words/look';
 import { byId, make } from '../base/dom';
+import { fixed } from '../base/fixed';
 import { ARROWS } from '../late/arrows';
 import { shape } from '../late/svg';
 import type { Engine } from '../state/engine';
@@ -194,8 +195,8 @@ export class LightOnCanvas {
     const [lx, ly, lz] = [this.number('lx'), this.number('ly'), this.number('lz')];
     const at = this.footAt();
     const top = { x: at.x, y: Math.max(at.y + this.upwards() * (POST[0] + POST[1] * lz), 0.02) };
-    stand(this.foot, at, lx, [-1, 2], t('lamp_said', { x: lx.toFixed(2), y: ly.toFixed(2) }));
-    stand(this.bulb, top, lz, [0.05, 2], t('lamp_height_said', { z: lz.toFixed(2) }));
+    stand(this.foot, at, lx, [-1, 2], t('lamp_said', { x: fixed(lx, 2), y: fixed(ly, 2) }));
+    stand(this.bulb, top, lz, [0.05, 2], t('lamp_height_said', { z: fixed(lz, 2) }));
     this.draw(top, at);
   }
 

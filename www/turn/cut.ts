@@ -1,6 +1,7 @@
 /** The tool that cuts away all bodies beyond a plane, so that those behind it are seen. */
 import { t } from '../words/turn';
 import { make } from '../base/dom';
+import { fixed } from '../base/fixed';
 import { onSlide } from '../base/slide';
 import type { Camera, Cut } from '../state/viewing';
 import { towards } from './camera';
@@ -56,7 +57,7 @@ export class CutTool {
     if (Number(this.slider.value) !== cut[3]) this.slider.value = String(cut[3]);
     const { min, max } = PLACES;
     this.slider.style.setProperty('--place', String((Number(this.slider.value) - min) / (max - min)));
-    this.slider.setAttribute('aria-valuetext', cut[3].toFixed(2));
+    this.slider.setAttribute('aria-valuetext', fixed(cut[3], 2));
   }
 
   private move(moving: boolean): void {

@@ -226,8 +226,8 @@ fn parity(laying: &Laying) -> Notice {
 fn occupancy(Claimed { free, by }: Claimed) -> Notice {
     let all = free + by.iter().sum::<usize>();
     let share = |pixels: usize| {
-        let share = 1e3 * pixels as f64 / all.max(1) as f64;
-        crate::decimal::text(share.round() / 10.0)
+        let share = 1e2 * pixels as f64 / all.max(1) as f64;
+        crate::decimal::text_to(1, share)
     };
     Notice::new(Code::MasonryOccupancy)
         .with("n", all)

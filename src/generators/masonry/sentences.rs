@@ -87,7 +87,7 @@ fn of_face(fault: &BuildingFault) -> Notice {
         Fault::BadSurface { face: id, why } => face(surface_code(*why), id),
         Fault::OffSurface { face: id, at, by } => face(Code::BuildingOff, id)
             .with("at", place(*at))
-            .with("by", decimal::text((1e4 * by).round() / 10.0)),
+            .with("by", decimal::text_to(1, 1e3 * by)),
         Fault::Crossing { face: id, at } => face(Code::BuildingCrossing, id).with("at", place(*at)),
         Fault::NotOnCircle { face: id, at } => {
             face(Code::BuildingCircle, id).with("at", place(*at))
