@@ -1,9 +1,9 @@
 //! Writes many numbers as text with a fixed number of decimals.
 
 /// Adds a number below a million in size, with at most `decimals` decimals and without trailing zeros.
-pub(super) fn push(out: &mut Vec<u8>, x: f32, decimals: u32) {
+pub(super) fn push(out: &mut Vec<u8>, x: f64, decimals: u32) {
     let scale = 10u64.pow(decimals);
-    let whole = (f64::from(x).abs() * scale as f64 + 0.5) as u64;
+    let whole = (x.abs() * scale as f64 + 0.5) as u64;
     if x < 0.0 && whole > 0 {
         out.push(b'-');
     }
@@ -47,7 +47,7 @@ mod tests {
             (0.9996, "1"),
             (12.305, "12.305"),
             (99999.5, "99999.5"),
-            (f32::NAN, "0"),
+            (f64::NAN, "0"),
         ] {
             let mut out = Vec::new();
             push(&mut out, x, 3);

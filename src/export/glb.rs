@@ -24,9 +24,9 @@ use super::frame::ExportSpace;
 use super::maps::id_colour;
 use crate::light::decoded;
 use crate::order::{greater, lesser};
-#[cfg(house)]
-use crate::scene::Place;
 use crate::solid::Surface;
+#[cfg(house)]
+use crate::surface_stones::Fit;
 #[cfg(house)]
 use joined::Joined;
 #[cfg(house)]
@@ -81,9 +81,9 @@ pub(super) struct Glb {
     materials: String,
     #[cfg(house)]
     materials_made: usize,
-    /// The transformation of the root node.
+    /// The map from the file to the coordinates of its surfaces.
     #[cfg(house)]
-    root: Place,
+    fit: Fit,
     meshes: String,
     accessors: String,
     linear: [u32; 256],
@@ -115,7 +115,7 @@ impl Glb {
             #[cfg(house)]
             materials_made: 0,
             #[cfg(house)]
-            root: Place::default(),
+            fit: Fit::default(),
             meshes: String::new(),
             accessors: String::new(),
             linear: std::array::from_fn(linear),

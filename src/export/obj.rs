@@ -3,6 +3,9 @@
 use super::fixed::{push, push_whole};
 use super::frame::ExportSpace;
 use crate::solid::Surface;
+#[cfg(house)]
+use crate::surface_stones::Fit;
+use glam::Vec3;
 
 /// A part ends as soon as it has more bytes than this.
 const PART: usize = 1 << 20;
@@ -14,6 +17,8 @@ const HEAD: &[u8] = b"# Made by Bubblestone.\n\
 const MODEL_HEAD: &[u8] = b"# Made by Bubblestone.\n\
     # Right-handed, y up, in the units of the surface. Colours are sRGB.\n\
     # Texture coordinates have the same units: each body is projected to its tangent plane.\n";
+#[cfg(house)]
+const SCENE_HEAD: &str = "# Made by Bubblestone.\n# Right-handed, y up, in ";
 
 /// An OBJ file that is being made.
 pub(super) struct Obj {
@@ -21,6 +26,9 @@ pub(super) struct Obj {
     part: Vec<u8>,
     /// Vertices written so far; indices in the file count from 1.
     vertices: u64,
+    /// The map from the file to the coordinates of its surfaces.
+    #[cfg(house)]
+    fit: Fit,
 }
 
 impl Obj {
@@ -34,6 +42,27 @@ impl Obj {
             parts: Vec::new(),
             part: head.to_vec(),
             vertices: 0,
+            #[cfg(house)]
+            fit: Fit::default(),
+        }
+    }
+
+    /// A file of bodies of a scene, which `fit` has mapped from the file's coordinates. `lengths` says what these are.
+    #[cfg(house)]
+    pub fn of_scene(fit: Fit, lengths: &str) -> Self {
+        Self {
+            part: format!("{SCENE_HEAD}{lengths}. Colours are sRGB.\n").into_bytes(),
+            fit,
+            ..Self::new(&ExportSpace::Model(None))
+        }
+    }
+
+    /// The place of a vertex in the file.
+    fn place(&self, frame: &ExportSpace, p: Vec3) -> [f64; 3] {
+        match frame {
+            ExportSpace::Picture { .. } => frame.place(p).map(f64::from),
+            #[cfg(house)]
+            ExportSpace::Model(_) => self.fit.back(p).to_array(),
         }
     }
 
@@ -48,16 +77,18 @@ impl Obj {
 
     /// Adds an object with this name, which must be one word.
     pub(super) fn add_named(&mut self, frame: &ExportSpace, surface: &Surface, name: &str) {
-        let out = &mut self.part;
+        let mut part = std::mem::take(&mut self.part);
+        let out = &mut part;
         out.extend_from_slice(b"o ");
         out.extend_from_slice(name.as_bytes());
         out.push(b'\n');
         for (k, &p) in surface.positions.iter().enumerate() {
-            let in_maps = frame.place_in_maps(p).map(|[x, y]| [x, 1.0 - y]);
-            let colour = surface.colours[k].map(|c| f32::from(c) / 255.0);
-            let normal = frame.direction(surface.normals[k]);
+            let in_maps = frame.place_in_maps(p);
+            let in_maps = in_maps.map(|[x, y]| [x, 1.0 - y].map(f64::from));
+            let colour = surface.colours[k].map(|c| f64::from(c) / 255.0);
+            let normal = frame.direction(surface.normals[k]).map(f64::from);
             for (word, numbers, decimals) in [
-                ("v", &frame.place(p)[..], 7),
+                ("v", &self.place(frame, p)[..], 7),
                 ("", &colour, 3),
                 ("\nvt", in_maps.as_ref().map_or(&[], |at| at), 6),
                 ("\nvn", &normal, 4),
@@ -89,8 +120,10 @@ impl Obj {
             out.push(b'\n');
         }
         self.vertices += surface.positions.len() as u64;
-        if out.len() > PART {
-            self.parts.push(std::mem::take(out));
+        if part.len() > PART {
+            self.parts.push(part);
+        } else {
+            self.part = part;
         }
     }
 

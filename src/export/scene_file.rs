@@ -10,8 +10,9 @@ use super::part_file::PartFile;
 use super::shades::Shades;
 use super::surface::mean_roughness;
 use crate::material::Material;
-use crate::scene::{Instance, Paint, Place, Scene};
+use crate::scene::{Instance, Paint, Scene};
 use crate::solid::Surface;
+use crate::surface_stones::Fit;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The share of light that glass stops, in files.
@@ -22,14 +23,15 @@ const GLASS_ALPHA: f32 = 0.4;
 pub struct SceneTerms {
     /// The names of the rows of the table of materials. Materials of further rows have none.
     pub materials: Vec<String>,
-    /// Maps the scene to the file, without a turn: its units, and where its origin is.
-    pub place: Place,
+    /// The map from the file to the scene.
+    pub fit: Fit,
+    /// What lengths the file has, for its readers, as "metres".
+    pub lengths: &'static str,
 }
 
 /// A file of a scene that is being made.
 pub struct SceneFile {
     writer: SceneWriter,
-    place: Place,
     /// The most triangles of a body.
     most: usize,
     next: usize,
@@ -63,7 +65,7 @@ impl SceneFile {
     ) -> Self {
         let mean = mean_roughness(materials);
         let glb = || SharedMeshes {
-            glb: Glb::of_scene(mean, order.joined, is_white(scene)).placed(terms.place),
+            glb: Glb::of_scene(mean, order.joined, is_white(scene)).placed(terms.fit),
             rows: materials.to_vec(),
             names: terms.materials.clone(),
             shades: Shades::new(scene),
@@ -73,10 +75,9 @@ impl SceneFile {
         };
         Self {
             writer: match order.format {
-                MeshFormat::Obj => SceneWriter::Obj(Obj::new(&ExportSpace::Model(None))),
+                MeshFormat::Obj => SceneWriter::Obj(Obj::of_scene(terms.fit, terms.lengths)),
                 MeshFormat::Glb => SceneWriter::Glb(Box::new(glb())),
             },
-            place: terms.place,
             most: order.of_each(scene.instances.len()),
             next: 0,
         }
@@ -97,10 +98,7 @@ impl SceneFile {
         match &mut self.writer {
             SceneWriter::Obj(obj) => {
                 let name = name(instance).replace(char::is_whitespace, "_");
-                let mut surface = placed(surface, instance);
-                let place = &self.place;
-                surface.positions.iter_mut().for_each(|p| *p = place.of(*p));
-                obj.add_named(&ExportSpace::Model(None), &surface, &name);
+                obj.add_named(&ExportSpace::Model(None), &placed(surface, instance), &name);
             }
             SceneWriter::Glb(glb) => glb.add(surface, instance, &name(instance)),
         }

@@ -127,9 +127,9 @@ impl File {
         for points in &shape.paths {
             for (k, p) in points.iter().enumerate() {
                 self.0.push(if k == 0 { b'M' } else { b'L' });
-                push(&mut self.0, p.x as f32, DECIMALS);
+                push(&mut self.0, p.x, DECIMALS);
                 self.0.push(b' ');
-                push(&mut self.0, p.y as f32, DECIMALS);
+                push(&mut self.0, p.y, DECIMALS);
             }
             if pen.is_none_or(|pen| !pen.is_open) {
                 self.0.push(b'Z');
@@ -152,7 +152,7 @@ impl File {
     fn number(&mut self, before: &str, x: f64) {
         self.put(before);
         self.put("\"");
-        push(&mut self.0, x as f32, DECIMALS);
+        push(&mut self.0, x, DECIMALS);
         self.put("\"");
     }
 

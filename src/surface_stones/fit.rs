@@ -34,6 +34,16 @@ pub struct Rim {
     pub share: f64,
 }
 
+impl Default for Fit {
+    /// The scene is the model itself.
+    fn default() -> Self {
+        Self {
+            middle: DVec3::ZERO,
+            scale: 1.0,
+        }
+    }
+}
+
 impl Rim {
     /// The circles of places around the axis through (x, z): of each of some bands of heights the widest, at both ends
     /// of the band. So they enclose all places, and there are few of them.
@@ -105,6 +115,11 @@ impl Fit {
     /// Maps a point of the model to the scene.
     pub fn place(&self, p: DVec3) -> Vec3 {
         ((p - self.middle) * self.scale).as_vec3()
+    }
+
+    /// Maps a point of the scene to the model.
+    pub fn back(&self, p: Vec3) -> DVec3 {
+        p.as_dvec3() / self.scale + self.middle
     }
 }
 

@@ -48,6 +48,7 @@ mod native {
     mod plain_words;
     mod recipes;
     mod samples;
+    mod saved;
     mod scattered;
     mod scene;
     mod scene_cases;

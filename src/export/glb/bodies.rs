@@ -6,6 +6,7 @@ use super::template::fill;
 use super::{FileMaterial, Glb};
 use crate::light::decoded;
 use crate::scene::Place;
+use crate::surface_stones::Fit;
 use glam::{Mat3, Quat};
 
 impl Glb {
@@ -30,23 +31,20 @@ impl Glb {
         self.list_node();
     }
 
-    /// The same file, whose first node, and so all others, has a place without a turn.
-    pub(in crate::export) fn placed(self, root: Place) -> Self {
-        Self { root, ..self }
+    /// The same file of surfaces that `fit` has mapped from the file's coordinates: its first node maps all others back.
+    pub(in crate::export) fn placed(self, fit: Fit) -> Self {
+        Self { fit, ..self }
     }
 
     /// The end of the first node.
     pub(super) fn root_end(&self) -> String {
-        if self.root == Place::default() {
+        let Fit { middle, scale } = self.fit;
+        if self.fit == Fit::default() {
             return LISTS[1].to_owned();
         }
         let mut end = String::new();
-        let numbers = [[self.root.scale(); 3], self.root.origin.to_array()].concat();
-        fill(
-            &mut end,
-            ROOT,
-            &numbers.into_iter().map(shortest).collect::<Vec<_>>(),
-        );
+        let numbers = [[1.0 / scale; 3], middle.to_array()].concat();
+        fill(&mut end, ROOT, &numbers);
         end
     }
 

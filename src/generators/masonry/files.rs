@@ -2,15 +2,14 @@
 
 use super::MasonryEngine;
 use super::colours::{GRASS_ROW, MATERIAL_NAMES};
-use super::site::BuildingSite;
 use crate::building::write_json;
 use crate::export::{MeshOrder, MeshSize, SceneFile, SceneTerms};
 use crate::generators::scene_picture::Saving;
 use crate::generators::{Clock, MeshSlice, Meshes};
 use crate::masonry::laying::Laying;
 use crate::notice::Notice;
-use crate::scene::{Instance, Place, Scene};
-use glam::Vec3;
+use crate::scene::{Instance, Scene};
+use crate::surface_stones::Fit;
 use std::rc::Rc;
 
 /// A mesh file in the making.
@@ -32,15 +31,6 @@ fn without_grass(scene: &Scene) -> Scene {
         bodies: scene.bodies.clone(),
         instances: instances.filter(|instance| !is_grass(instance)).collect(),
         ..Scene::default()
-    }
-}
-
-/// Maps the scene back to the building's metres.
-fn metres(site: &BuildingSite) -> Place {
-    let scale = (1.0 / site.fit.scale) as f32;
-    Place {
-        axes: [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| axis * scale),
-        origin: site.fit.middle.as_vec3(),
     }
 }
 
@@ -73,7 +63,12 @@ impl Meshes for MasonryEngine {
         let part = |row: u8| MATERIAL_NAMES[usize::from(row)];
         let terms = SceneTerms {
             materials: MATERIAL_NAMES.map(str::to_owned).to_vec(),
-            place: self.made.site.made().map_or(Place::default(), metres),
+            fit: self
+                .made
+                .site
+                .made()
+                .map_or(Fit::default(), |site| site.fit),
+            lengths: "metres",
         };
         let of = (&self.made, scene);
         let order = (order, terms);

@@ -6,7 +6,8 @@ use crate::export::{MeshOrder, MeshSize, SceneTerms};
 use crate::generators::scene_picture::Saving;
 use crate::generators::{Clock, MeshSlice, Meshes};
 use crate::notice::Notice;
-use crate::scene::Place;
+use crate::surface_stones::Fit;
+use crate::surface_views::BareSurface;
 
 impl Meshes for PileEngine {
     fn mesh_file(
@@ -28,7 +29,12 @@ impl Meshes for PileEngine {
         let of = (&self.made, scene);
         let terms = SceneTerms {
             materials: names_of_rows(words),
-            place: Place::default(),
+            fit: self
+                .made
+                .ground
+                .made()
+                .map_or(Fit::default(), BareSurface::fit),
+            lengths: "the lengths of the shape, as the table of places",
         };
         let order = (order, terms);
         Saving::of_scene(&mut self.saving, of, order, (clock, budget), names)

@@ -1,0 +1,109 @@
+//! Mesh files of bodies in space, as other programs read them.
+
+use crate::common::finished;
+use bubblestone::export::{MeshFormat, MeshOrder};
+use bubblestone::studio::Studio;
+use glam::DVec3;
+use serde_json::Value;
+use std::collections::BTreeMap;
+
+const STAIRS: &str = "v=1&make=pile&form=stairs&ps=4&size=128";
+
+/// The mesh file of a finished picture.
+fn mesh_file(studio: &mut Studio, format: MeshFormat) -> Vec<u8> {
+    let order = MeshOrder {
+        format,
+        detail: 100,
+        images: None,
+        joined: false,
+    };
+    let meshes = studio.meshes().expect("mesh files");
+    let file = meshes.mesh_file(&order, &mut || 0.0, f64::INFINITY);
+    file.expect("a file").parts.concat()
+}
+
+/// The JSON of a GLB file.
+fn json_of(glb: &[u8]) -> Value {
+    let length = u32::from_le_bytes(glb[12..16].try_into().expect("four bytes")) as usize;
+    serde_json::from_slice(&glb[20..20 + length]).expect("JSON")
+}
+
+fn vector(value: &Value) -> DVec3 {
+    DVec3::from([0, 1, 2].map(|k| value[k].as_f64().expect("a number")))
+}
+
+/// The places of the kept bodies, and their scales, by their darts, of the table of places.
+fn table(studio: &mut Studio) -> BTreeMap<String, (DVec3, f64)> {
+    let text = studio.meshes().expect("meshes").places().expect("a table");
+    let row = |line: &str| {
+        let words: Vec<&str> = line.split(',').collect();
+        let number = |k: usize| words[k].parse::<f64>().expect("a number");
+        let name = format!("{}_{}_layer_{}", words[8], words[10], words[11]);
+        let place = DVec3::from([0, 1, 2].map(number));
+        (name, (place, number(7)))
+    };
+    text.lines().skip(1).map(row).collect()
+}
+
+#[test]
+fn mesh_files_of_a_pile_have_the_lengths_of_its_table_of_places() {
+    let mut studio = finished(STAIRS);
+    let table = table(&mut studio);
+    assert!(table.len() > 20);
+    let json = json_of(&mesh_file(&mut studio, MeshFormat::Glb));
+    let nodes = json["nodes"].as_array().expect("nodes");
+    let (scale, origin) = (vector(&nodes[0]["scale"]), vector(&nodes[0]["translation"]));
+    let mut found = 0;
+    for node in nodes {
+        let Some((place, size)) = node["name"].as_str().and_then(|name| table.get(name)) else {
+            continue;
+        };
+        found += 1;
+        let at = origin + scale * vector(&node["translation"]);
+        assert!(at.distance(*place) < 1e-5, "{at} is not {place}");
+        let own = scale * vector(&node["scale"]);
+        assert!((own - DVec3::splat(*size)).length() < 1e-5, "{own}, {size}");
+    }
+    assert_eq!(found, table.len());
+    let objects = objects(&mesh_file(&mut studio, MeshFormat::Obj));
+    for (name, (place, _)) in &table {
+        let (low, high) = bounds(&objects[name].positions);
+        // The place is within the body.
+        assert!(place.cmpge(low).all() && place.cmple(high).all(), "{name}");
+    }
+}
+
+/// An object of an OBJ file.
+struct Object {
+    positions: Vec<DVec3>,
+    corners: Vec<u32>,
+}
+
+/// The objects of an OBJ file by their names. Those of the same name are one.
+fn objects(obj: &[u8]) -> BTreeMap<String, Object> {
+    let read = |_: &std::path::Path| Err(tobj::LoadError::OpenFileFailed);
+    let options = tobj::LoadOptions::default();
+    let (models, _) = tobj::load_obj_buf(&mut &obj[..], &options, read).expect("an OBJ file");
+    let mut objects = BTreeMap::new();
+    for model in models {
+        let object = objects.entry(model.name).or_insert(Object {
+            positions: Vec::new(),
+            corners: Vec::new(),
+        });
+        let first = object.positions.len() as u32;
+        let places = model.mesh.positions.as_chunks::<3>().0;
+        let places = places.iter().map(|p| DVec3::from(p.map(f64::from)));
+        object.positions.extend(places);
+        object
+            .corners
+            .extend(model.mesh.indices.iter().map(|k| first + k));
+    }
+    objects
+}
+
+fn bounds(places: &[DVec3]) -> (DVec3, DVec3) {
+    let start = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    places
+        .iter()
+        .fold(start, |(low, high), &p| (low.min(p), high.max(p)))
+}
