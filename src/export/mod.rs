@@ -10,6 +10,8 @@ mod frame;
 #[cfg(house)]
 mod frame_maps;
 mod glb;
+#[cfg(house)]
+mod ground;
 mod json;
 pub mod maps;
 mod metrics;

@@ -3,6 +3,7 @@
 use super::chart::Chart;
 use super::frame::ExportSpace;
 use super::glb::Glb;
+use super::ground::with_areas;
 use super::obj::Obj;
 use super::order::{MeshFormat, MeshOrder};
 use super::part_file::PartFile;
@@ -11,6 +12,7 @@ use crate::material::Material;
 use crate::surface_cells::SurfaceCell;
 use crate::surface_stones::{Paving, Piece, Pieces, StonesParams};
 use crate::trimesh::TriMesh;
+use std::borrow::Cow;
 
 /// A file of a model that is being made.
 pub struct ModelFile {
@@ -48,9 +50,15 @@ impl ModelFile {
             Piece::None => false,
             Piece::Surface(id, surface) => {
                 let cell = id.checked_sub(1).map(|k| &paving.cells[k as usize]);
-                let chart = cell.map_or_else(|| Chart::of_surface(&surface), Chart::of_cell);
-                self.writer
-                    .add(&ExportSpace::Model(Some(chart)), &surface, id);
+                let surface = match cell {
+                    None => with_areas(&surface),
+                    Some(_) => Cow::Borrowed(&surface),
+                };
+                if !surface.triangles.is_empty() {
+                    let chart = cell.map_or_else(|| Chart::of_surface(&surface), Chart::of_cell);
+                    let space = ExportSpace::Model(Some(chart));
+                    self.writer.add(&space, &surface, id);
+                }
                 false
             }
             Piece::End => true,

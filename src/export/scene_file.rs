@@ -3,16 +3,19 @@
 
 use super::frame::ExportSpace;
 use super::glb::{FileMaterial, Glb};
+use super::ground::with_areas;
 use super::maps::roughness;
 use super::obj::Obj;
 use super::order::{MeshFormat, MeshOrder};
 use super::part_file::PartFile;
 use super::shades::Shades;
 use super::surface::mean_roughness;
+use crate::heightfield::GROUND;
 use crate::material::Material;
 use crate::scene::{Instance, Paint, Scene};
 use crate::solid::Surface;
 use crate::surface_stones::Fit;
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The share of light that glass stops, in files.
@@ -95,12 +98,23 @@ impl SceneFile {
         let Some(surface) = levels.clone().find(fits).or(levels.last()) else {
             return false;
         };
+        let surface = match instance.id {
+            GROUND => with_areas(surface),
+            _ => Cow::Borrowed(surface),
+        };
+        if surface.triangles.is_empty() {
+            return false;
+        }
         match &mut self.writer {
             SceneWriter::Obj(obj) => {
                 let name = name(instance).replace(char::is_whitespace, "_");
-                obj.add_named(&ExportSpace::Model(None), &placed(surface, instance), &name);
+                obj.add_named(
+                    &ExportSpace::Model(None),
+                    &placed(&surface, instance),
+                    &name,
+                );
             }
-            SceneWriter::Glb(glb) => glb.add(surface, instance, &name(instance)),
+            SceneWriter::Glb(glb) => glb.add(&surface, instance, &name(instance)),
         }
         false
     }

@@ -107,3 +107,49 @@ fn bounds(places: &[DVec3]) -> (DVec3, DVec3) {
         .iter()
         .fold(start, |(low, high), &p| (low.min(p), high.max(p)))
 }
+
+/// Stairs have upright borders, and so squares without a width below them. A part of the vase is simplified to a triangle
+/// with a corner twice.
+#[test]
+fn no_triangle_of_the_ground_is_without_area() {
+    let surface = "v=1&make=surface&cn=200&size=128";
+    for link in [
+        STAIRS.to_owned(),
+        format!("{surface}&form=stairs"),
+        format!("{surface}&form=vase"),
+    ] {
+        let mut studio = finished(&link);
+        let objects = objects(&mesh_file(&mut studio, MeshFormat::Obj));
+        let ground = objects.get("ground").or(objects.get("shape"));
+        let Object { positions, corners } = ground.expect("ground");
+        for triangle in corners.as_chunks::<3>().0 {
+            let [a, b, c] = triangle.map(|k| positions[k as usize]);
+            assert!((b - a).cross(c - a).length() > 0.0, "{link}: {a}, {b}, {c}");
+        }
+        let bytes = mesh_file(&mut studio, MeshFormat::Glb);
+        assert_eq!(short_normals(&bytes), 0, "{link}");
+    }
+}
+
+/// The number of the file's normals that are not of length 1.
+fn short_normals(glb: &[u8]) -> usize {
+    let json = json_of(glb);
+    let text = u32::from_le_bytes(glb[12..16].try_into().expect("four bytes")) as usize;
+    let binary = &glb[28 + text..];
+    let whole = |value: &Value| value.as_u64().unwrap_or(0) as usize;
+    let meshes = json["meshes"].as_array().expect("meshes").iter();
+    let primitives = meshes.flat_map(|mesh| mesh["primitives"].as_array().expect("primitives"));
+    let is_short = |at: usize| {
+        let number = |k: usize| binary[at + 4 * k..][..4].try_into().expect("four bytes");
+        let normal = [0, 1, 2].map(|k| f64::from(f32::from_le_bytes(number(k))));
+        (DVec3::from(normal).length() - 1.0).abs() > 1e-3
+    };
+    let short = primitives.map(|primitive| {
+        let accessor = &json["accessors"][whole(&primitive["attributes"]["NORMAL"])];
+        let view = &json["bufferViews"][whole(&accessor["bufferView"])];
+        let first = whole(&view["byteOffset"]) + whole(&accessor["byteOffset"]);
+        let places = (0..whole(&accessor["count"])).map(|k| first + k * whole(&view["byteStride"]));
+        places.filter(|&at| is_short(at)).count()
+    });
+    short.sum()
+}
