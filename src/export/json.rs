@@ -32,11 +32,13 @@ fn faces_json<F: AsRef<[u32]>>(
 }
 
 /// `{"cells":[{"ring":[[x,y,z],...],"normal":[x,y,z],"size":d},...]}`, cells on a surface in the model's units.
+/// `anchor` is the place of their origin in the model.
 #[cfg(house)]
-pub fn surface_cells_json(cells: &[SurfaceCell]) -> String {
+pub fn surface_cells_json(cells: &[SurfaceCell], anchor: DVec3) -> String {
     let cell = |cell: &SurfaceCell| {
+        let ring = cell.ring.iter().map(|&p| point_in_space(p + anchor));
         object([
-            ("ring", list(cell.ring.iter().map(|&p| point_in_space(p)))),
+            ("ring", list(ring)),
             ("normal", point_in_space(cell.centre.normal)),
             ("size", number(cell.size)),
         ])
@@ -151,7 +153,7 @@ mod tests {
             on_border: false,
         };
         assert_eq!(
-            surface_cells_json(&[cell]),
+            surface_cells_json(&[cell], DVec3::ZERO),
             "{\"cells\":[{\"ring\":[[0,0,0],[0.5,0,-1]],\"normal\":[0,1,0],\"size\":0.25}]}\n"
         );
         let faces: [&[u32]; 2] = [&[0, 1, 2], &[0, 1, 2, 3]];

@@ -10,8 +10,9 @@ use super::part_file::PartFile;
 use super::surface::{Writer, mean_roughness};
 use crate::material::Material;
 use crate::surface_cells::SurfaceCell;
-use crate::surface_stones::{Paving, Piece, Pieces, StonesParams};
+use crate::surface_stones::{Fit, Paving, Piece, Pieces, StonesParams};
 use crate::trimesh::TriMesh;
+use glam::DVec3;
 use std::borrow::Cow;
 
 /// A file of a model that is being made.
@@ -21,18 +22,23 @@ pub struct ModelFile {
 }
 
 impl ModelFile {
-    /// A file of the stones of these cells. `materials` is the whole table. Images of the order are ignored.
+    /// A file of the stones of these cells. `materials` is the whole table; `anchor` is the place of the cells' origin in
+    /// the model. Images of the order are ignored.
     pub fn new(
         order: &MeshOrder,
         params: StonesParams,
         materials: &[Material],
-        cells: &[SurfaceCell],
+        (cells, anchor): (&[SurfaceCell], DVec3),
     ) -> Self {
-        let glb = || Glb::of_model(mean_roughness(materials), order.joined);
+        let fit = Fit {
+            middle: anchor,
+            ..Fit::default()
+        };
+        let glb = || Glb::of_model(mean_roughness(materials), order.joined).placed(fit);
         Self {
             pieces: Pieces::new(params, cells, order.of_each(cells.len())),
             writer: match order.format {
-                MeshFormat::Obj => Writer::Obj(Obj::new(&ExportSpace::Model(None))),
+                MeshFormat::Obj => Writer::Obj(Obj::of_model(fit)),
                 MeshFormat::Glb => Writer::Glb(Box::new(glb())),
             },
         }

@@ -3,13 +3,15 @@
 use super::fixed::push_whole;
 use super::json::number;
 use crate::trimesh::TriMesh;
+use glam::DVec3;
 
-/// Text: vertices with numbers that read back as the same bits, then the triangles, in their order.
-pub fn model_obj(mesh: &TriMesh) -> String {
+/// Text: vertices with numbers that read back as the same bits, then the triangles, in their order. `anchor` is the place
+/// of the mesh's origin in the model.
+pub fn model_obj(mesh: &TriMesh, anchor: DVec3) -> String {
     let mut out = b"# Made by Bubblestone.\n".to_vec();
     for p in mesh.positions() {
         out.push(b'v');
-        for x in p.to_array() {
+        for x in (*p + anchor).to_array() {
             out.push(b' ');
             out.extend_from_slice(number(x).as_bytes());
         }

@@ -47,13 +47,21 @@ impl Obj {
         }
     }
 
+    /// A file of surfaces on a model, which `fit` has mapped from the file's coordinates.
+    #[cfg(house)]
+    pub fn of_model(fit: Fit) -> Self {
+        Self {
+            fit,
+            ..Self::new(&ExportSpace::Model(None))
+        }
+    }
+
     /// A file of bodies of a scene, which `fit` has mapped from the file's coordinates. `lengths` says what these are.
     #[cfg(house)]
     pub fn of_scene(fit: Fit, lengths: &str) -> Self {
         Self {
             part: format!("{SCENE_HEAD}{lengths}. Colours are sRGB.\n").into_bytes(),
-            fit,
-            ..Self::new(&ExportSpace::Model(None))
+            ..Self::of_model(fit)
         }
     }
 

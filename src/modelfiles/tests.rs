@@ -247,7 +247,7 @@ fn strips_of_a_ply_are_read() {
 fn our_own_files_are_read() {
     use crate::export::model_obj;
     let mesh = testing::mesh(testing::blob(3));
-    let soup = read("model.obj", model_obj(&mesh));
+    let soup = read("model.obj", model_obj(&mesh, DVec3::ZERO));
     assert_eq!(soup.positions, mesh.positions());
     assert_eq!(soup.triangles, mesh.triangles());
 }

@@ -25,7 +25,7 @@ impl Meshes for SurfaceEngine {
         let materials = &self.made.shared.still.params().light.materials;
         let new = || {
             let stones = stones_params(self.made.shared.bodies.params(), &paved.cells);
-            ModelFile::new(order, stones, materials, &paved.cells)
+            ModelFile::new(order, stones, materials, (&paved.cells, built.anchor))
         };
         let advance = |file: &mut ModelFile| file.advance(&built.whole, paved.paving());
         let wanted = (order, revision);

@@ -82,7 +82,7 @@ fn file(format: MeshFormat) -> (MeshOrder, Vec<u8>) {
     };
     let materials = material_table(texture.palette, texture.ground, Gloss::Own);
     let params = StonesParams::new(texture, weather, &cells);
-    let mut file = ModelFile::new(&order, params, &materials, &cells);
+    let mut file = ModelFile::new(&order, params, &materials, (&cells, DVec3::ZERO));
     let mut parts = Vec::new();
     while !file.advance(&mesh, paving) {
         parts.extend(file.take());

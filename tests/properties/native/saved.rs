@@ -1,7 +1,8 @@
 //! Mesh files of bodies in space, as other programs read them.
 
-use crate::common::finished;
+use crate::common::{finished, recipe};
 use bubblestone::export::{MeshFormat, MeshOrder};
+use bubblestone::generators::{ALL, GivenFile};
 use bubblestone::studio::Studio;
 use glam::DVec3;
 use serde_json::Value;
@@ -152,4 +153,84 @@ fn short_normals(glb: &[u8]) -> usize {
         places.filter(|&at| is_short(at)).count()
     });
     short.sum()
+}
+
+/// A surface on a model: an octahedron, its corners at the distance `size` from `middle`.
+fn on_model(middle: DVec3, size: f64) -> Studio {
+    let corners = [
+        DVec3::X,
+        DVec3::NEG_X,
+        DVec3::Y,
+        DVec3::NEG_Y,
+        DVec3::Z,
+        DVec3::NEG_Z,
+    ];
+    let places = corners.map(|corner| {
+        let [x, y, z] = (middle + size * corner).to_array();
+        format!("v {x} {y} {z}\n")
+    });
+    let faces = [
+        "1 3 5", "3 2 5", "2 4 5", "4 1 5", "3 1 6", "2 3 6", "4 2 6", "1 4 6",
+    ];
+    let faces = faces.map(|face| format!("f {face}\n"));
+    let text = places.concat() + &faces.concat();
+    let mut studio = Studio::new(ALL, recipe("v=1&make=surface&form=sphere&cn=60&size=128"));
+    let file = GivenFile::whole("model.obj", text.into_bytes());
+    assert!(studio.open_file(None, file).expect("a file").is_empty());
+    assert_eq!(studio.finish(&mut || 0.0), Ok(()));
+    studio
+}
+
+/// The vertices of an OBJ file in double precision.
+fn vertices(obj: &[u8]) -> Vec<DVec3> {
+    let text = std::str::from_utf8(obj).expect("text");
+    let vertex = |line: &str| {
+        let numbers = line.strip_prefix("v ")?.split(' ').take(3);
+        let numbers: Vec<f64> = numbers
+            .map(|word| word.parse().expect("a number"))
+            .collect();
+        Some(DVec3::from_slice(&numbers))
+    };
+    text.lines().filter_map(vertex).collect()
+}
+
+/// The places of all rings of a file of cells.
+fn rings(studio: &Studio) -> Vec<DVec3> {
+    let data = studio.engine().data();
+    let (_, text) = data
+        .iter()
+        .find(|(name, _)| *name == "cells.json")
+        .expect("cells");
+    let value: Value = serde_json::from_str(text).expect("JSON");
+    let cells = value["cells"].as_array().expect("a list").iter();
+    cells
+        .flat_map(|cell| cell["ring"].as_array().expect("a ring").iter().map(vector))
+        .collect()
+}
+
+fn assert_near(found: &[DVec3], wanted: &[DVec3], most: f64) {
+    assert_eq!(found.len(), wanted.len());
+    let off = found.iter().zip(wanted).map(|(a, b)| a.distance(*b));
+    let off = off.fold(0.0, f64::max);
+    assert!(off < most, "{off}");
+}
+
+#[test]
+fn stones_keep_their_shape_on_a_model_far_from_its_origin() {
+    let far = DVec3::new(1048576.0, 0.0, -524288.0);
+    let [mut here, mut there] = [DVec3::ZERO, far].map(|middle| on_model(middle, 0.5));
+    assert_eq!(here.picture(), there.picture());
+    let moved = |places: Vec<DVec3>| -> Vec<DVec3> { places.iter().map(|p| *p + far).collect() };
+    assert_near(&rings(&there), &moved(rings(&here)), 1e-9);
+    let [near, away] =
+        [&mut here, &mut there].map(|studio| vertices(&mesh_file(studio, MeshFormat::Obj)));
+    assert_near(&away, &moved(near), 1e-6);
+    let root = json_of(&mesh_file(&mut there, MeshFormat::Glb))["nodes"][0].clone();
+    assert_eq!(vector(&root["translation"]), far);
+    let model = |studio: &Studio| {
+        let data = studio.engine().data();
+        let model = data.into_iter().find(|(name, _)| *name == "model.obj");
+        vertices(model.expect("a model").1.as_bytes())
+    };
+    assert_near(&model(&there), &moved(model(&here)), 1e-9);
 }

@@ -37,8 +37,14 @@ const NEEDLES: f64 = 4000.0;
 /// A model is refused at once if its largest part has less area than this, in squared cell sizes.
 const SMALL: f64 = 0.25;
 
+/// A model whose middle is farther from its origin than this, in diagonals, is moved near to it: places of bodies have
+/// single precision, and a stone would lose its shape there. Nearer models stay where they are, bit for bit.
+const FAR: f64 = 100.0;
+
 /// A surface ready for its fields.
 pub(super) struct Built {
+    /// The place of the origin of all that follows, in the file's own coordinates.
+    pub anchor: DVec3,
     /// The mesh on which cells are packed.
     pub mesh: Arc<TriMesh>,
     /// The mesh on which stones stand: not cut, and as fine as given.
@@ -60,6 +66,7 @@ pub(super) struct Built {
 /// A surface in progress.
 pub(super) struct Building {
     step: BuildPhase,
+    anchor: DVec3,
     /// The mean size of cells.
     size: f64,
     /// The mesh of the file, or a coarser one in place of a huge one.
@@ -123,6 +130,7 @@ impl Building {
     fn begin(params: &SurfaceParams, loaded: &Loaded) -> Result<Self, Notice> {
         let mut new = Self {
             step: BuildPhase::None,
+            anchor: DVec3::ZERO,
             size: 0.0,
             given: None,
             whole: None,
@@ -140,7 +148,12 @@ impl Building {
             (MeshSource::Model(..), None) => return Err(Code::ModelFirst.into()),
             (MeshSource::Model(..), Some(mesh)) => {
                 new.size = size_for(&params.sizes, mesh.area());
-                BuildPhase::Sides(Box::new(Siding::new(mesh.clone(), params.sides)))
+                new.anchor = anchor(mesh);
+                let mesh = match new.anchor == DVec3::ZERO {
+                    true => mesh.clone(),
+                    false => Arc::new(mesh.as_ref().clone().moved_by(-new.anchor)),
+                };
+                BuildPhase::Sides(Box::new(Siding::new(mesh, params.sides)))
             }
         };
         Ok(new)
@@ -290,6 +303,7 @@ impl Building {
             false => Arc::new(mesh),
         };
         Some(Built {
+            anchor: self.anchor,
             mesh,
             whole: self.whole.take().unwrap_or(uncut),
             search: self.search.take(),
@@ -306,6 +320,14 @@ impl Building {
 fn meshing(making: ShapeMaking) -> MeshBuilding {
     let made = making.finish();
     MeshBuilding::new(made.positions, made.triangles)
+}
+
+/// How far a model is moved: along each axis by its middle, if that is far away.
+fn anchor(mesh: &TriMesh) -> DVec3 {
+    let (low, high) = mesh.bounds();
+    let far = FAR * (high - low).length();
+    let middle = low.midpoint(high).to_array();
+    DVec3::from(middle.map(|at| if at.abs() > far { at } else { 0.0 }))
 }
 
 fn size_for(sizes: &Sizes, area: f64) -> f64 {
