@@ -28,7 +28,7 @@ pub struct SceneTerms {
     pub materials: Vec<String>,
     /// The map from the file to the scene.
     pub fit: Fit,
-    /// What lengths the file has, for its readers, as "metres".
+    /// The name of the file's lengths, for its readers, as "metres".
     pub lengths: &'static str,
 }
 

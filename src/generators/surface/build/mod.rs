@@ -43,7 +43,7 @@ const FAR: f64 = 100.0;
 
 /// A surface ready for its fields.
 pub(super) struct Built {
-    /// The place of the origin of all that follows, in the file's own coordinates.
+    /// How far the model was moved to its origin: files get this added to each place.
     pub anchor: DVec3,
     /// The mesh on which cells are packed.
     pub mesh: Arc<TriMesh>,
