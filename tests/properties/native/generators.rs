@@ -8,6 +8,8 @@ use crate::common::{finished, recipe};
 use bubblestone::generators::masonry::MASONRY;
 use bubblestone::generators::{ALL, Viewing, surface};
 use bubblestone::notice::Code;
+use serde_json::Value;
+use std::collections::BTreeSet;
 
 const BALL: &str = "v=1&make=surface&form=sphere&size=128&cn=60";
 const PAVEMENT: &str = "v=1&size=128&cs=24";
@@ -151,4 +153,61 @@ fn the_native_program_draws_the_view_of_a_link() {
     assert!(others.iter().all(|pixels| *pixels != whole));
     assert!(out.join("seen.png").exists());
     std::fs::remove_dir_all(&out).expect("a folder");
+}
+
+/// Objects whose keys are words of the generator, or numbers.
+const COUNTS: [&str; 5] = ["milliseconds", "sides", "valence", "features", "kinds"];
+
+/// Collects the names of all fields of a JSON value.
+fn fields(value: &Value, found: &mut BTreeSet<String>) {
+    match value {
+        Value::Array(items) => items.iter().for_each(|item| fields(item, found)),
+        Value::Object(object) => {
+            for (name, value) in object {
+                found.insert(name.clone());
+                if !COUNTS.contains(&&name[..]) {
+                    fields(value, found);
+                }
+            }
+        }
+        _ => (),
+    }
+}
+
+/// The words in code signs of a text.
+fn coded(text: &str) -> impl Iterator<Item = &str> {
+    text.split('`').skip(1).step_by(2)
+}
+
+#[test]
+fn the_documentation_has_each_field_of_a_file_and_no_other() {
+    let out = std::env::temp_dir().join(format!("bubblestone-fields-{}", std::process::id()));
+    let mut written = BTreeSet::from(["frame".to_owned()]);
+    for link in [
+        PAVEMENT,
+        BALL,
+        "v=1&make=pile&form=bowl&ps=3&size=128",
+        "v=1&make=pile&form=openbox&ps=3&size=128",
+        "v=1&make=masonry&building=block&size=128",
+    ] {
+        native::write_all(&mut finished(link), Vec::new(), None, &out).unwrap();
+        for name in ["report", "cells", "mesh", "bodies", "blocks", "measures"] {
+            let Ok(text) = std::fs::read_to_string(out.join(format!("{name}.json"))) else {
+                continue;
+            };
+            fields(&serde_json::from_str(&text).unwrap(), &mut written);
+        }
+        std::fs::remove_dir_all(&out).unwrap();
+    }
+    let text = include_str!("../../../docs/native.md");
+    let (_, text) = text.split_once("## The report").expect("a heading");
+    let told: BTreeSet<&str> = coded(text).collect();
+    for name in &written {
+        assert!(told.contains(&name[..]), "{name} is not in docs/native.md");
+    }
+    let rows = text.lines().filter_map(|line| line.strip_prefix("| "));
+    let rows = rows.filter(|row| !row.starts_with("field"));
+    for name in rows.flat_map(|row| coded(row.split(" | ").next().unwrap_or(row))) {
+        assert!(written.contains(name), "{name} is in no file");
+    }
 }
