@@ -1,8 +1,19 @@
 //! Writes many numbers as text with a fixed number of decimals.
 
-/// Adds a number below a million in size, with at most `decimals` decimals and without trailing zeros.
+use crate::decimal;
+
+/// The most decimals.
+const MOST: u32 = 18;
+/// Numbers with more digits than this are written by [`decimal`], which has all of them.
+const LONG: f64 = 1e18;
+
+/// Adds a number with at most `decimals` decimals and without trailing zeros.
 pub(super) fn push(out: &mut Vec<u8>, x: f64, decimals: u32) {
-    let scale = 10u64.pow(decimals);
+    let scale = 10u64.pow(decimals.min(MOST));
+    if x.is_finite() && x.abs() * scale as f64 >= LONG {
+        out.extend_from_slice(decimal::text(x).as_bytes());
+        return;
+    }
     let whole = (x.abs() * scale as f64 + 0.5) as u64;
     if x < 0.0 && whole > 0 {
         out.push(b'-');
@@ -48,10 +59,15 @@ mod tests {
             (12.305, "12.305"),
             (99999.5, "99999.5"),
             (f64::NAN, "0"),
+            (2e15, "2000000000000000"),
+            (-1e30, "-1e30"),
         ] {
             let mut out = Vec::new();
             push(&mut out, x, 3);
             assert_eq!(String::from_utf8_lossy(&out), wanted);
         }
+        let mut out = Vec::new();
+        push(&mut out, -1.5e-12, 14);
+        assert_eq!(String::from_utf8_lossy(&out), "-0.0000000000015");
     }
 }

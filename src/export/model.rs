@@ -10,7 +10,7 @@ use super::part_file::PartFile;
 use super::surface::{Writer, mean_roughness};
 use crate::material::Material;
 use crate::surface_cells::SurfaceCell;
-use crate::surface_stones::{Fit, Paving, Piece, Pieces, StonesParams};
+use crate::surface_stones::{Fit, Paving, Piece, Pieces, StonesParams, mean_size};
 use crate::trimesh::TriMesh;
 use glam::DVec3;
 use std::borrow::Cow;
@@ -38,7 +38,7 @@ impl ModelFile {
         Self {
             pieces: Pieces::new(params, cells, order.of_each(cells.len())),
             writer: match order.format {
-                MeshFormat::Obj => Writer::Obj(Obj::of_model(fit)),
+                MeshFormat::Obj => Writer::Obj(Obj::of_model(fit, mean_size(cells))),
                 MeshFormat::Glb => Writer::Glb(Box::new(glb())),
             },
         }

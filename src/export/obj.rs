@@ -10,6 +10,9 @@ use glam::Vec3;
 /// A part ends as soon as it has more bytes than this.
 const PART: usize = 1 << 20;
 
+/// The decimals of places, if bodies are not small.
+const DECIMALS: u32 = 7;
+
 const HEAD: &[u8] = b"# Made by Bubblestone.\n\
     # Right-handed, y up: x to the right of the picture, z down it. One unit is the picture's side.\n\
     # Colours are sRGB; places in maps begin at the lower left.\n";
@@ -26,6 +29,8 @@ pub(super) struct Obj {
     part: Vec<u8>,
     /// Vertices written so far; indices in the file count from 1.
     vertices: u64,
+    /// The decimals of places.
+    decimals: u32,
     /// The map from the file to the coordinates of its surfaces.
     #[cfg(house)]
     fit: Fit,
@@ -42,16 +47,20 @@ impl Obj {
             parts: Vec::new(),
             part: head.to_vec(),
             vertices: 0,
+            decimals: DECIMALS,
             #[cfg(house)]
             fit: Fit::default(),
         }
     }
 
-    /// A file of surfaces on a model, which `fit` has mapped from the file's coordinates.
+    /// A file of stones of about this size on a model, which `fit` has mapped from the file's coordinates. If stones are
+    /// smaller than a hundredth, places get more decimals.
     #[cfg(house)]
-    pub fn of_model(fit: Fit) -> Self {
+    pub fn of_model(fit: Fit, size: f64) -> Self {
+        let smaller = (-2.0 - libm::log10(size).floor()).clamp(0.0, 30.0);
         Self {
             fit,
+            decimals: DECIMALS + smaller as u32,
             ..Self::new(&ExportSpace::Model(None))
         }
     }
@@ -61,7 +70,8 @@ impl Obj {
     pub fn of_scene(fit: Fit, lengths: &str) -> Self {
         Self {
             part: format!("{SCENE_HEAD}{lengths}. Colours are sRGB.\n").into_bytes(),
-            ..Self::of_model(fit)
+            fit,
+            ..Self::new(&ExportSpace::Model(None))
         }
     }
 
@@ -96,9 +106,13 @@ impl Obj {
             let colour = surface.colours[k].map(|c| f64::from(c) / 255.0);
             let normal = frame.direction(surface.normals[k]).map(f64::from);
             for (word, numbers, decimals) in [
-                ("v", &self.place(frame, p)[..], 7),
+                ("v", &self.place(frame, p)[..], self.decimals),
                 ("", &colour, 3),
-                ("\nvt", in_maps.as_ref().map_or(&[], |at| at), 6),
+                (
+                    "\nvt",
+                    in_maps.as_ref().map_or(&[], |at| at),
+                    self.decimals - 1,
+                ),
                 ("\nvn", &normal, 4),
             ] {
                 if numbers.is_empty() {
