@@ -401,7 +401,7 @@ function pagesOf(parts, height) {
   return ends.length;
 }
 
-test('each sheet to print has two pages, on A4 and on Letter, and on them each question with its sentence, its pictures and its lines, uncut', sameEverywhere, async () => {
+test('each sheet to print has two pages, on A4 and on Letter, and on them each question with its sentence, its pictures and its lines, uncut, as the parts of the guide', sameEverywhere, async () => {
   const { page, close } = await site.newPage('learn/');
   await page.emulateMediaType('print');
   for (const { name, blocks } of chapters) {
@@ -443,6 +443,12 @@ test('each sheet to print has two pages, on A4 and on Letter, and on them each q
       }
     }
   }
+  // The plans and the questions of the guide are not cut, and no heading is left alone.
+  await page.goto(`${site.address}learn/guide/`, { waitUntil: 'load' });
+  const cut = await page.$$eval('.guide :is(h2, h3, caption, .plan, li)', (all) =>
+    all.filter((one) => getComputedStyle(one)[one.matches('.plan, li') ? 'breakInside' : 'breakAfter'] !== 'avoid').map((one) => one.textContent),
+  );
+  assert.deepEqual(cut, []);
   await close();
 });
 
