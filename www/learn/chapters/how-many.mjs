@@ -97,8 +97,8 @@ export const howMany = {
       heading: { en: 'Why', ja: 'なぜ' },
       parts: [
         {
-          en: 'At the start nobody can know the [[population]]. The papers begin with a good guess, by a [[quadtree]], and correct it on the way. Our program looks at each cell $i$ every ten steps, up to step 100. A cell goes if its nearest neighbour is too near:',
-          ja: '[[population|個数]]は、初めには分かりません。論文は[[quadtree|四分木]]で見当をつけ、計算の途中で直します。本プログラムは、100ステップまで10ステップごとに各セル$i$を調べます。最も近い隣が近すぎるセルは去ります。',
+          en: 'At the start nobody can know the [[population]]. The papers begin with a good guess, by a [[quadtree]], and correct it on the way. Up to step 100 our program looks at each cell $i$ every ten steps, and when all are at rest. A cell goes if its nearest neighbour is too near:',
+          ja: '[[population|個数]]は、初めには分かりません。論文は[[quadtree|四分木]]で見当をつけ、計算の途中で直します。本プログラムは、100ステップまで、10ステップごとと全体が静止したときに、各セル$i$を調べます。最も近い隣が近すぎるセルは去ります。',
         },
         {
           equation: 'a',

@@ -11,8 +11,8 @@ export const directionDifferences = [
     printed: arrowSum,
     ours: fourFoldSum,
     note: {
-      en: 'The segments run round the outline, so the two sides of a road have opposite arrows and cancel in its middle. Ours turns each arrow into its four-fold angle first, as a square looks the same after a quarter turn, and weights it along the whole segment. The printed weight takes the nearest place for all of a segment, so it changes when a side is cut into pieces; ours does not. The printed power is 2; ours is 4, and can be set to 2 or 3 (dp).',
-      ja: '線分は輪郭を一周するので、道の両側の矢印は逆向きで、中央で打ち消し合います。正方形は90度回しても同じなので、本プログラムはまず角度を4倍し、線分全体に沿って重みをかけます。論文の重みは、線分全体を最も近い点の距離で測るため、辺を細かく切ると変わります。本プログラムの重みは変わりません。論文のべき指数は2、本プログラムは4で、2と3も選べます（dp）。',
+      en: 'The segments run round the outline, so the two sides of a road have opposite arrows and cancel in its middle. Ours turns each arrow into its four-fold angle first, as a square looks the same after a quarter turn, and weights it along the whole segment. The printed weight takes the nearest place for all of a segment, so it changes when a side is cut into pieces; ours does not. The printed power is 2; ours is 4, and can be set to 2 or 3 (dp). Along a long wall the weights add up: with 2, a wall twice as far has half the weight, with 4 an eighth. So rows follow the nearer wall.',
+      ja: '線分は輪郭を一周するので、道の両側の矢印は逆向きで、中央で打ち消し合います。正方形は90度回しても同じなので、本プログラムはまず角度を4倍し、線分全体に沿って重みをかけます。論文の重みは、線分全体を最も近い点の距離で測るため、辺を細かく切ると変わります。本プログラムの重みは変わりません。論文のべき指数は2、本プログラムは4で、2と3も選べます（dp）。長い壁に沿って重みを足すと、距離が2倍の壁の重みは、2なら2分の1、4なら8分の1になります。そのため、列は近いほうの壁に沿います。',
     },
     see: { figure: 'road', words: { en: 'Both sums in a road', ja: '道の中での二つの和' } },
   },

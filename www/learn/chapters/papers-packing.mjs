@@ -49,7 +49,7 @@ export const packingDifferences = [
       math: `${row('m x..i ( t ) + c x.i ( t ) = Fi ( t ) ,')}<mspace width="0.6em"/><mrow><mi>i</mi><mo>=</mo><mn>1</mn><mo>,</mo><mo>…</mo><mo>,</mo><mi>n</mi></mrow>`,
       speech: { en: 'm times the acceleration of x i, plus c times the velocity of x i, equals the force f i, for i from 1 to n.', ja: 'エムかけるエックス・アイの加速度、足すシーかけるエックス・アイの速度、イコール力エフ・アイ。アイは1からエヌまで。' },
     },
-    ours: { text: { en: 'The same equation, solved by semi-implicit Euler. The run ends when all forces and all moves are small, after 200 steps at the latest; from step 101 on the steps become shorter.', ja: '同じ式を半陰的オイラー法で解きます。すべての力と移動量が小さくなれば終わり、遅くとも200ステップで終わります。101ステップ目からは刻みを短くしていきます。' } },
+    ours: { text: { en: 'The same equation, solved by semi-implicit Euler. The run ends when all forces and all moves are small, after 200 steps at the latest. From step 101 on the steps become shorter, and small moves are enough. A look at the population that changes it puts off the end.', ja: '同じ式を半陰的オイラー法で解きます。すべての力と移動量が小さくなれば終わり、遅くとも200ステップで終わります。101ステップ目からは刻みを短くしていき、移動量が小さければ終わります。個数の調査で増減があれば、まだ終わりません。' } },
     note: {
       en: 'The papers take Runge–Kutta, and end when the displacements of an iteration are small. Near a turning point a swinging cell moves little, so ours asks for small forces, too. The figures of the chapters leave out shorter steps and other help.',
       ja: '論文はルンゲ・クッタ法を使い、一回の反復での移動量が小さくなれば終わります。揺れるセルは折り返しでもほとんど動かないので、本プログラムは力も小さいことを求めます。章の図では、刻みを短くするなどの工夫を外しています。',
