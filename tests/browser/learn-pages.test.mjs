@@ -533,6 +533,9 @@ test('a plate has its place before the one beside it has come', sameEverywhere, 
   }
 });
 
+/** Plates beside each other are as wide here as on a projector. */
+const narrow = { width: 820, height: 800 };
+
 test('figures have lines and areas alone, sharp on any screen, and words that can be read, on a desk and on a phone', sameEverywhere, async () => {
   const { page, close } = await site.newPage('learn/');
   for (const { path, ...chapter } of BY_TURNS) {
@@ -542,7 +545,7 @@ test('figures have lines and areas alone, sharp on any screen, and words that ca
     await page.waitForSelector('.figure[data-live]');
     const found = await page.$$eval('.figure', (all) => all.map((figure) => [figure.querySelectorAll('canvas, img, image, foreignObject').length, figure.querySelectorAll('svg.plate').length > 0]));
     assert.deepEqual(found, figuresOf(chapter).map(() => [0, true]), path);
-    for (const viewport of [desk, { width: phone.width, height: phone.height }]) {
+    for (const viewport of [desk, narrow, { width: phone.width, height: phone.height }]) {
       await page.setViewport(viewport);
       await frames(page, 2);
       assert.deepEqual(await page.$$eval('.figure svg.plate', badWords), [], `${path} at ${viewport.width}`);
