@@ -313,7 +313,7 @@ test('fork: the exercise is done by a finger that puts the walk where three road
   await stands(page, figure, 0.5, 0.43, 0.03);
   assert.equal(await page.evaluate(() => scrollY), top);
   await answered(page, 'fork');
-  assert.match(await answer(page, 'fork'), /^Done: −2, 2 quarter turns against the walk/);
+  assert.match(await answer(page, 'fork'), /^Done: −2, two quarter turns against the walk/);
   const studio = await page.$eval(`a.into-studio[data-figure="fork"]`, (link) => link.hash);
   assert.match(studio, /outline=y_fork.*view=direction$/);
   assert.deepEqual(problems, []);

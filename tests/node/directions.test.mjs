@@ -125,7 +125,7 @@ test('the questions of the walks are answered by a whole walk that counts', () =
   assert.equal(asked(opened('walk', { outline: 'annulus' }), [0.5, 0.5, 0.35]), undefined);
   const fork = opened('fork');
   assert.equal(asked(fork, [0.5, 0.72, 0.08]), undefined);
-  assert.match(asked(fork, [0.5, 0.43, 0.1]), /^Done: −2, 2 quarter turns against the walk\. 4 − 6 = −2/);
+  assert.match(asked(fork, [0.5, 0.43, 0.1]), /^Done: −2, two quarter turns against the walk\. 4 − 6 = −2/);
 });
 
 test('halfway between two strokes squares stand at the mean of their four-fold angles', () => {

@@ -232,3 +232,25 @@ test('thin triangles are told without colour: lines cross them, inside their edg
   // Random points have many more thin triangles than those by Lloyd and those by packing.
   assert.ok(counts[0] > 40 && counts.slice(1).every((count) => count < counts[0] / 3), counts.join(' '));
 });
+
+/** The sentence of an exercise on what happened, with other values and another place to look at. @param {string} name @param {Record<string, string>} values @param {number[]} [at] */
+function done(name, values, at) {
+  const { figure, seen } = atEnd(name, values);
+  return figure.asks[0].seen({ ...seen, at: at ?? seen.at }, 'en');
+}
+
+test('the exercises say what happened, wherever they are done', () => {
+  const places = code.FIGURES.find((/** @type {any} */ { name }) => name === 'place').recipe.match(/given=([^&]*)/)[1].split(';');
+  const moved = (/** @type {string} */ place) => done('place', { given: places.with(9, `${place},0`).join(';') });
+  assert.match(moved('0.61,0.6'), /^Done: the smallest angle is 40\.5° now\. The point has gone into the hole/);
+  // Eleven points have no angle below 30° of their own, and there is room for one more at the border.
+  assert.match(moved('0.92,0.34'), /^Done: the smallest angle is 30\.7° now\. In the hole, where a bubble would come, it would be larger/);
+  assert.equal(moved('0.02,0.5'), undefined, 'a point outside of the outline is gone');
+
+  assert.match(done('fork', {}, [0.5, 0.44, 0.12]), /^Done: −2, two quarter turns against the walk/);
+  assert.match(done('fork', {}, [0.425, 0.375, 0.1]), /^Done: −1, as the walk divides/);
+
+  const dropped = (/** @type {string} */ cw) => done('slide', { cw, given: '0.5,0.5,1;0.3875,0.5,0' });
+  assert.match(dropped('0.2'), /slid into the well on the left/);
+  assert.equal(dropped('0'), undefined, 'without corner bubbles there is no well');
+});

@@ -194,16 +194,31 @@ const good: Ask = {
 /** The smallest angle that the exercise asks for. */
 const WANTED = 30;
 
+/** The point that is moved, counted from 0. */
+const MOVED = 9;
+
+/** The hole among the eleven points that stay: its middle and its radius, in shares of the picture's side. */
+const HOLE = { x: 0.61, y: 0.6, radius: 0.2 } as const;
+
 const place: Ask = {
   key: 'place',
   answers: {},
-  ...sentence<[angle: string]>(
+  ...sentence<[angle: string, isInHole: boolean]>(
     (seen) => {
       const made = joinedOf(seen);
-      return !made || leastOf(made) < WANTED ? undefined : [number(leastOf(made), 1)];
+      const [x, y] = made?.points.get(MOVED) ?? [];
+      if (!made || x === undefined || y === undefined || leastOf(made) < WANTED) return undefined;
+      return [number(leastOf(made), 1), Math.hypot(x - HOLE.x, y - HOLE.y) < HOLE.radius];
     },
-    [['00.0']],
-    (language, angle) => inWords(language, `Done: the smallest angle is ${angle}° now. The point has gone into the hole, where a bubble would come.`, `できました。最小角は${angle}°です。点は穴の中、バブルなら増えるはずの場所に入りました。`),
+    [['00.0', true], ['00.0', false]],
+    (language, angle, isInHole) =>
+      joined(
+        language,
+        inWords(language, `Done: the smallest angle is ${angle}° now.`, `できました。最小角は${angle}°です。`),
+        isInHole
+          ? inWords(language, 'The point has gone into the hole, where a bubble would come.', '点は穴の中、バブルなら増えるはずの場所に入りました。')
+          : inWords(language, 'In the hole, where a bubble would come, it would be larger.', 'バブルなら増えるはずの穴の中では、もっと大きくなります。'),
+      ),
   ),
 };
 
@@ -272,6 +287,6 @@ export const MESHES: readonly Figure[] = [
   {
     name: 'place', ...BY_HAND, at: [], plates: FREE_PLATES,
     recipe: byHand('0.879,0.491 0.798,0.748 0.577,0.873 0.32,0.806 0.147,0.601 0.14,0.37 0.302,0.207 0.557,0.162 0.785,0.26 0.5,0.35 0.365,0.53 0.543,0.349'),
-    handles: [{ ...POINT, rows: [9] }], asks: [place], told: toldLeast({ en: 'Move point 10 to a better place.', ja: '点10を、もっと良い場所へ動かしてください。' }),
+    handles: [{ ...POINT, rows: [MOVED] }], asks: [place], told: toldLeast({ en: 'Move point 10 to a better place.', ja: '点10を、もっと良い場所へ動かしてください。' }),
   },
 ];

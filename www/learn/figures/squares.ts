@@ -6,6 +6,7 @@
 import { AT_REST, crowdAt, lastOf, ofAll, ofFirst, OVER, packedOf } from './crowds';
 import type { Ask, Figure, Language, NumberHandle, Plate, PointHandle, Seen, Stop, Trace, Trial } from './figure';
 import { edgesOf, isAtCorner, isAtEdge, isStill, neighbourAt, reachesEdge, restsAt, type Neighbour } from './neighbour';
+import { REACH } from './rules';
 import { DAMPING, inWords, number, sentence, TIME_STEP } from './words';
 
 const OPEN = 'outline=square&size=256&kind=square&dir=constant&edge=open&pop=off&move=rk4&most=1000';
@@ -110,7 +111,8 @@ const slide: Ask = {
   ...sentence<[x: string, y: string, step: number]>(
     ({ traces: [trace], step }) => {
       const [first, now] = trace ? [neighbourAt(trace, 0), neighbourAt(trace, step)] : [];
-      if (!first || !now || !isAtEdge(now) || now.x > -0.5 || Math.hypot(first.x - now.x, first.y - now.y) < SLIDE) return undefined;
+      // Without corner bubbles there is a ring, and no well.
+      if (!trace || weightOf(trace) === 0 || !first || !now || !isAtEdge(now) || now.x > -0.5 || Math.hypot(first.x - now.x, first.y - now.y) < SLIDE) return undefined;
       // As the number boxes show its place: y down.
       return [number(first.x, 2), number(-first.y, 2), step];
     },
@@ -131,7 +133,7 @@ function standsAt({ w, aside }: Neighbour, language: Language): string {
 }
 
 function movesTo(now: Neighbour, step: number, language: Language): string {
-  if (step > 0 && isAtEdge(now)) return inWords(language, 'It rests before an edge.', '辺の前で静止しています。');
+  if (step > 0 && isAtEdge(now) && now.w < REACH) return inWords(language, 'It rests before an edge.', '辺の前で静止しています。');
   if (step > 0 && isStill(now) && Math.hypot(...now.force) < 0.01) return inWords(language, 'It rests there.', 'そこで静止しています。');
   const [force, speed] = [number(Math.hypot(...now.force), 3), number(now.speed, 3)];
   return step === 0

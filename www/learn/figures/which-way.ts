@@ -150,21 +150,26 @@ const turns: Ask = {
   ),
 };
 
+/** The quarter turns around all that is singular in the fork, which has six square corners. */
+const ALL_IN_FORK = -2;
+
 const fork: Ask = {
   key: 'fork',
   answers: {},
   ...sentence<[count: number]>(
     ({ traces: [trace], at, step }) => {
       const count = trace && step === STEPS ? countOf(trace, at) : undefined;
-      return count ? [count] : undefined;
+      return count ? [Math.round(count)] : undefined;
     },
-    [[-2]],
+    [[-2], [-1]],
     (language, count) =>
-      inWords(
-        language,
-        `Done: ${whole(count)}, ${whole(-count)} quarter turns against the walk. 4 − 6 = −2: all there is.`,
-        `できました。${whole(count)}回、道筋と逆に90°を${whole(-count)}回分です。4 − 6 = −2で、これがすべてです。`,
-      ),
+      count === ALL_IN_FORK
+        ? inWords(language, 'Done: −2, two quarter turns against the walk. 4 − 6 = −2: all there is.', 'できました。−2回、道筋と逆に90°を2回分です。4 − 6 = −2で、これがすべてです。')
+        : inWords(
+            language,
+            `Done: ${whole(count)}, as the walk divides what lies in the middle. 4 − 6 = −2: a walk around all of it counts two quarter turns against it.`,
+            `できました。${whole(count)}回です。道筋が真ん中を分けているからです。4 − 6 = −2ですから、全体を囲む道筋なら、逆向きに90°を2回分数えます。`,
+          ),
   ),
 };
 
