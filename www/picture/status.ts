@@ -141,7 +141,8 @@ export class StatusLine {
     const word = this.course.stages.includes(stage) ? stage : undefined;
     const now = performance.now();
     this.began = word === undefined ? undefined : (this.began ?? now);
-    this.work.hidden = this.began === undefined || now - this.began < long;
+    // A bar that is shown stays, also if a press makes the visitor one who watches.
+    this.work.hidden = this.began === undefined || (this.work.hidden && now - this.began < long);
     if (!word || this.work.hidden) return;
     const done = progressOf(this.course, word, status);
     const n = Math.round(100 * done);
